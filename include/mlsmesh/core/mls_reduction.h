@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mlsmesh/core/mls_surface.h"
+#include "mlsmesh/core/point_set.h"
+
+namespace mlsmesh::core {
+
+/// One point per cluster on the MLS surface, structs of arrays of equal length.
+struct Representatives {
+  std::vector<Vec3> position;  ///< local, already rounded to the stored type
+  std::vector<Vec3> normal;    ///< unit, sign arbitrary
+  std::vector<double> variation;  ///< surface variation sigma of the cluster's surroundings
+  std::vector<double> spacing;    ///< local spacing of the input there
+  std::vector<Index> nearest;     ///< point of the set nearest to the representative
+  std::vector<VertexKind> kind;
+
+  Index size() const { return static_cast<Index>(position.size()); }
+};
+
+/// Step 2: projects the centroid of every cluster (paper section 2.2). Representatives that coincide once rounded are kept
+/// once (the first cluster's); `clusters` is changed accordingly: the members of a dropped one join the kept one.
+Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
+                             const ReductionParameters& parameters, const Context& context);
+
+}  // namespace mlsmesh::core

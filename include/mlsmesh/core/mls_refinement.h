@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mlsmesh/core/half_edge_mesh.h"
+#include "mlsmesh/core/mls_surface.h"
+#include "mlsmesh/core/point_set.h"
+
+namespace mlsmesh::core {
+
+/// A mesh in levels: level i uses the first level_vertices[i] vertices and the triangles level_triangles[i].
+struct RefinedMesh {
+  std::vector<Vec3> position;           ///< local, rounded to the stored type
+  std::vector<Vec3> normal;             ///< unit, on the side the triangles are oriented to
+  std::vector<VertexKind> kind;
+  std::vector<Index> nearest;           ///< point of the set nearest to the vertex
+  std::vector<std::array<Index, 2>> parents;  ///< ends of the edge a vertex was made on; {v, v} for those of level 0
+  std::vector<Index> level_vertices;
+  std::vector<std::vector<Triangle>> level_triangles;
+
+  Index levelCount() const { return static_cast<Index>(level_vertices.size()); }
+};
+
+/// Step 4: adds parameters.levels levels to `mesh`, which holds level 0 alone (an oriented 2-manifold). Throws
+/// Failure(InvalidMesh, Cancelled).
+void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
+                const Context& context, RefinedMesh& mesh);
+
+}  // namespace mlsmesh::core

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mlsmesh/core/advancing_front.h"
+#include "mlsmesh/core/mls_reduction.h"
+#include "mlsmesh/core/mls_refinement.h"
+#include "mlsmesh/core/neighbor_search.h"
+#include "mlsmesh/mesh_report.h"
+
+namespace mlsmesh::core {
+
+struct StageTime {
+  std::string name;
+  double seconds = 0;
+};
+
+/// All that the four steps made of a cloud.
+struct Reconstruction {
+  PointSet points;
+  double spacing = 0;          ///< of the cloud
+  IndexLists clusters;         ///< members (points) of each level-0 vertex's cluster
+  Representatives representatives;
+  RefinedMesh mesh;            ///< vertices used by some triangle come first ... every vertex of level 0 is used
+  std::vector<Index> representative_of;  ///< representative of each level-0 vertex
+  FrontStatistics front;
+  std::vector<MeshReport> reports;  ///< one a level
+  std::vector<StageTime> stages;    ///< prepare, search, clustering, reduction, triangulation, refinement 1 .. n, report
+};
+
+/// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the ordered points of
+/// the set and returns the search to use (the adapter of a user's pcl::search::Search).
+/// Every vertex of the result is used by a triangle. Throws Failure.
+using SearchFactory = std::function<std::unique_ptr<NeighborSearch>(const PointSet&)>;
+Reconstruction reconstruct(PointSet points, const SearchFactory& search, const MultiresolutionParameters& parameters,
+                           Context& context);
+
+}  // namespace mlsmesh::core

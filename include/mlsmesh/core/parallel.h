@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "mlsmesh/core/context.h"
+
+namespace mlsmesh::core {
+
+/// Calls `body(first, last)` over blocks that cover [0, count), on the context's threads, in no particular order; the
+/// body writes by index only, so the result is the same for any number of threads. Between blocks the progress handle
+/// is asked and told. Throws what the first failing block (in block order) threw, or Failure(Cancelled).
+void parallelBlocks(const Context& context, std::size_t count, std::size_t block,
+                    const std::function<void(std::size_t first, std::size_t last)>& body);
+
+/// The number of threads that a setting (0 = all) stands for.
+int threadCount(int setting);
+
+}  // namespace mlsmesh::core

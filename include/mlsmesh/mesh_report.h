@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "mlsmesh/core/types.h"
+
+namespace mlsmesh {
+
+/// Topology of a triangle soup, counted without trusting who made it.
+struct MeshReport {
+  core::Index vertices = 0;  ///< all, used or not
+  core::Index triangles = 0;
+  core::Index isolated_vertices = 0;  ///< in no triangle
+  core::Index components = 0;         ///< connected through shared edges
+  core::Index border_loops = 0;
+  core::Index border_edges = 0;
+  core::Index nonmanifold_edges = 0;  ///< with three or more triangles
+  core::Index nonmanifold_vertices = 0;  ///< with more than one fan
+  core::Index orientation_conflicts = 0; ///< two-triangle edges run in the same direction by both
+  core::Index degenerate_faces = 0;      ///< a repeated vertex, or exactly collinear in doubles
+  core::Index duplicate_faces = 0;
+  core::Index euler = 0;          ///< V - E + F of the used vertices
+  std::optional<int> genus;       ///< summed over components, loops capped; none unless an oriented manifold
+
+  bool isManifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
+  bool isSound() const {
+    return isManifold() && orientation_conflicts == 0 && degenerate_faces == 0 && duplicate_faces == 0;
+  }
+};
+
+/// Counts in O(n log n). Faces with an index out of [0, vertices) are counted as degenerate and left out.
+MeshReport reportMesh(const std::vector<core::Vec3>& vertices, const std::vector<core::Triangle>& triangles);
+
+}  // namespace mlsmesh
