@@ -27,7 +27,9 @@ struct ClusteringParameters {
   double max_variation = 0.02;  ///< surface variation above which a cluster is split, 0 .. 1/3  [sigma_max]
   int max_size = 11;            ///< points above which a cluster is split, >= 1  [n_max; n_min with SizeAndVariation]
   int min_leaf = 3;             ///< a split leaves no side with fewer points, >= 1
-  double max_width = 4.0;       ///< split leaves of m points wider than this * sqrt(m) * spacing; 0 = never
+  /// A leaf that bridges parts which do not touch is cut at the longest edge of its minimum spanning tree where that is
+  /// longer than max_gap * the median edge; 0 = never, else > 1.
+  double max_gap = 8.0;
 };
 
 /// How the local reference plane of the projection is found.

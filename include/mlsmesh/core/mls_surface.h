@@ -23,7 +23,7 @@ struct Projection {
   double variation = 0;  ///< surface variation lambda_1 / (lambda_1 + lambda_2 + lambda_3) of the weighted neighbours
   double spacing = 0;    ///< local spacing d_k / sqrt(k / pi) at x
   double support = 0;    ///< h
-  double mean_offset = 0;///< (1/k) sum (p - x) . normal: the paper's t_min or alpha along `normal`
+  Vec3 mean_difference;  ///< (1/k) sum (p - x): along n it is the paper's t_min (n = n_c) or alpha (n = n_m)
   Index nearest = kNone; ///< point nearest to Psi(x) among the neighbours of x
   VertexKind kind = VertexKind::Projected;
 };
@@ -40,6 +40,12 @@ class MlsSurface {
   Projection project(const Vec3& x, int degree) const;
   /// ||Psi(x) - x||: 0 on the surface.
   double residual(const Vec3& x) const { return (project(x).position - x).norm(); }
+
+  /// Where the paper's projection of a centroid starts (section 2.2, 3-4): c + t_min n_c, n_c the direction in which the
+  /// weighted neighbours spread least about c, t_min the mean of (p - c) . n_c.
+  Vec3 startFrom(const Vec3& c) const;
+  /// (1/k) sum (p - x) over the neighbours of x alone, without a fit.
+  Vec3 meanDifference(const Vec3& x) const;
 
   const std::vector<Vec3>& points() const { return points_; }
   const NeighborSearch& search() const { return search_; }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
+// approximation", SIBGRAPI 2003, section 2.2.
+// Departures: a cluster may bridge two parts of the surface, then its centroid lies off both and the projection starts
+// from a member; and a projection that leaves its cluster is refused, because a degree-2 fit can throw a point twelve
+// spacings away where two sheets are near.
+#include "mlsmesh/core/mls_reduction.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "mlsmesh/core/parallel.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr double kFarCentroid = 0.7;  // local spacings between centroid and nearest member: start from the member
+constexpr double kLeastReach = 0.3;   // local spacings that a projection may always move
+
+struct ClusterShape {
+  Vec3 centroid;
+  double radius = 0;     // largest distance of a member from the centroid
+  Index central = kNone; // the member nearest to the centroid
+  double off = 0;        // its distance
+};
+
+ClusterShape shapeOf(const std::vector<Vec3>& points, const Index* members, Index count) {
+  ClusterShape shape;
+  const Vec3 reference = points[members[0]];
+  Vec3 sum = Vec3::Zero();
+  for (Index i = 0; i < count; ++i) sum += points[members[i]] - reference;
+  shape.centroid = reference + sum / count;
+  shape.off = std::numeric_limits<double>::max();
+  for (Index i = 0; i < count; ++i) {
+    const double d = (points[members[i]] - shape.centroid).norm();
+    shape.radius = std::max(shape.radius, d);
+    if (d < shape.off) {
+      shape.off = d;
+      shape.central = members[i];
+    }
+  }
+  return shape;
+}
+
+bool lands(const Projection& projection, const Vec3& start, double reach) {
+  return projection.position.allFinite() && projection.normal.allFinite() &&
+         (projection.position - start).norm() <= reach;
+}
+
+Projection inputPoint(const MlsSurface& surface, Index point) {
+  Projection projection = surface.project(surface.points()[point]);
+  projection.position = surface.points()[point];
+  projection.nearest = point;
+  projection.kind = VertexKind::InputPoint;
+  return projection;
+}
+
+Projection representativeOf(const MlsSurface& surface, const ClusterShape& shape, const ReductionParameters& parameters) {
+  const int degree = surface.parameters().degree;
+  const bool guarded = parameters.clamp == ClampRule::Guarded;
+  const Vec3 first = surface.startFrom(shape.centroid);
+  Projection projection = surface.project(first, degree);
+  Vec3 start = shape.centroid;
+  if (guarded && shape.off > kFarCentroid * projection.spacing) {
+    start = surface.points()[shape.central];
+    projection = surface.project(start, degree);
+  }
+  const double reach = guarded ? std::max(0.5 * shape.radius, kLeastReach * projection.spacing)
+                               : std::numeric_limits<double>::max();
+  if (lands(projection, start, reach)) return projection;
+  if (degree > 1) {
+    projection = surface.project(start, 1);
+    if (lands(projection, start, reach)) return projection;
+  }
+  return inputPoint(surface, shape.central);
+}
+
+// Equal positions, first cluster of each group -> kNone, the others -> the first.
+std::vector<Index> coincident(const std::vector<Vec3>& position) {
+  std::vector<Index> order(position.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const auto& p = position[a];
+    const auto& q = position[b];
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3) || (p == q && a < b);
+  });
+  std::vector<Index> same_as(position.size(), kNone);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const Index previous = order[i - 1];
+    if (position[order[i]] == position[previous]) {
+      same_as[order[i]] = same_as[previous] == kNone ? previous : same_as[previous];
+    }
+  }
+  return same_as;
+}
+
+template <typename T>
+void keepOnly(const std::vector<Index>& kept, std::vector<T>& values) {
+  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+  values.resize(kept.size());
+}
+
+IndexLists mergeClusters(const IndexLists& clusters, const std::vector<Index>& same_as) {
+  std::vector<std::vector<Index>> extra(clusters.count());
+  for (Index i = 0; i < clusters.count(); ++i) {
+    if (same_as[i] == kNone) continue;
+    auto& list = extra[same_as[i]];
+    list.insert(list.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
+  }
+  IndexLists merged;
+  for (Index i = 0; i < clusters.count(); ++i) {
+    if (same_as[i] != kNone) continue;
+    const auto from = merged.items.size();
+    merged.items.insert(merged.items.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
+    merged.items.insert(merged.items.end(), extra[i].begin(), extra[i].end());
+    std::sort(merged.items.begin() + static_cast<std::ptrdiff_t>(from), merged.items.end());
+    merged.begin.push_back(static_cast<Index>(merged.items.size()));
+  }
+  return merged;
+}
+
+void dropCoincident(Representatives& representatives, IndexLists& clusters) {
+  const std::vector<Index> same_as = coincident(representatives.position);
+  std::vector<Index> kept;
+  for (Index i = 0; i < representatives.size(); ++i) {
+    if (same_as[i] == kNone) kept.push_back(i);
+  }
+  if (static_cast<Index>(kept.size()) == representatives.size()) return;
+  keepOnly(kept, representatives.position);
+  keepOnly(kept, representatives.normal);
+  keepOnly(kept, representatives.variation);
+  keepOnly(kept, representatives.spacing);
+  keepOnly(kept, representatives.nearest);
+  keepOnly(kept, representatives.kind);
+  clusters = mergeClusters(clusters, same_as);
+}
+
+}  // namespace
+
+Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
+                             const ReductionParameters& parameters, const Context& context) {
+  const std::size_t count = static_cast<std::size_t>(clusters.count());
+  Representatives result;
+  result.position.resize(count);
+  result.normal.resize(count);
+  result.variation.resize(count);
+  result.spacing.resize(count);
+  result.nearest.resize(count);
+  result.kind.resize(count);
+  parallelBlocks(context, count, 256, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Index cluster = static_cast<Index>(i);
+      const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
+      const Projection projection = representativeOf(surface, shape, parameters);
+      result.position[i] = points.stored(projection.position);
+      result.normal[i] = projection.normal;
+      result.variation[i] = projection.variation;
+      result.spacing[i] = projection.spacing;
+      result.nearest[i] = projection.nearest;
+      result.kind[i] = projection.kind;
+    }
+  });
+  dropCoincident(result, clusters);
+  return result;
+}
+
+}  // namespace mlsmesh::core
