@@ -31,6 +31,8 @@ class HalfEdgeMesh {
   Index opposite(Index half_edge) const { return vertex_[previous(half_edge)]; }
   Index twin(Index half_edge) const { return twin_[half_edge]; }
   bool isBorder(Index half_edge) const { return twin_[half_edge] == kNone; }
+  /// The outgoing half-edge beyond this one when turning around its origin, kNone at the end of an open fan.
+  Index turn(Index half_edge) const { return isBorder(half_edge) ? kNone : next(twin_[half_edge]); }
   Triangle corners(Index triangle) const {
     return {vertex_[3 * triangle], vertex_[3 * triangle + 1], vertex_[3 * triangle + 2]};
   }
@@ -45,18 +47,20 @@ class HalfEdgeMesh {
   Index fanCount(Index vertex) const;
   /// One closed fan and no other: nothing more fits here.
   bool isInterior(Index vertex) const;
-  /// Outgoing half-edges h of `vertex` whose previous half-edge is a border: the first of each open fan when turning
-  /// with next(twin) ... closed fans are not listed.
+  /// True when some half-edge at the vertex, outgoing or incoming, is a border: it has an open fan.
   bool isBorderVertex(Index vertex) const;
 
-  /// True if a, b, c are distinct and none of the directed edges ab, bc, ca exists.
+  /// True if a, b, c are distinct and none of the directed edges ab, bc, ca exists. All three must be vertices of the mesh.
   bool canAdd(Index a, Index b, Index c) const;
-  /// Adds the triangle and links twins; kNone (and no change) unless canAdd.
+  /// Adds the triangle in a new slot and links twins; kNone (and no change) unless canAdd. Throws Failure(IndexOverflow).
   Index addTriangle(Index a, Index b, Index c);
+  /// Takes a live triangle out; its slot stays, dead for ever.
   void removeTriangle(Index triangle);
-  /// Turns the edge of h inside its two triangles; false (and no change) on a border or where the new edge exists.
+  /// Turns the edge of h inside its two triangles, so that h and its twin are the other diagonal; false (and no change) on a
+  /// border or where the new edge exists.
   bool flip(Index half_edge);
-  /// Gives all fans of `vertex` but the largest a new vertex each; returns the new vertices in order of creation.
+  /// Gives all fans of `vertex` but the largest (of equals, the one with the lowest triangle) a new vertex each, in order of
+  /// their lowest triangle; returns the new vertices.
   std::vector<Index> splitFans(Index vertex);
   /// Reverses the orientation of the listed triangles; the list must be closed under edge adjacency.
   void reverse(const std::vector<Index>& triangles);
@@ -75,7 +79,15 @@ class HalfEdgeMesh {
  private:
   void link(Index half_edge);
   void unlink(Index half_edge);
-  void connect(Index half_edge);
+  void connect(Index half_edge, Index other);
+  void setCorners(Index half_edge, const Triangle& corners);
+  bool startsClosedFan(Index half_edge) const;
+  Index nextBorder(Index half_edge) const;
+  std::vector<std::vector<Index>> fans(Index vertex) const;
+  std::string slotFault() const;
+  std::string twinFault() const;
+  std::string listFault() const;
+  std::string fanFault() const;
 
   std::vector<Index> vertex_;
   std::vector<Index> twin_;
@@ -84,7 +96,8 @@ class HalfEdgeMesh {
   Index live_ = 0;
 };
 
-/// Builds a mesh from triangles; false where they are not an oriented edge-manifold (`why` names the first offender).
+/// Builds a mesh from triangles; false where they are not an oriented edge-manifold (`why` names the first offender), and
+/// then `mesh` is left as it was.
 bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh, std::string* why = nullptr);
 
 }  // namespace mlsmesh::core
