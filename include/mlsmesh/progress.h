@@ -12,7 +12,8 @@ namespace mlsmesh {
 class Progress {
  public:
   /// Called with the stage's name and the overall fraction, at most about a hundred times a stage, from the thread that
-  /// called the verb and never from two threads at once. It must not throw.
+  /// called the verb and never from two threads at once. It must not throw, and may call cancel(), cancelled() and
+  /// fraction() of the handle, but nothing else.
   using Callback = std::function<void(const std::string& stage, double fraction)>;
 
   Progress();
@@ -28,7 +29,7 @@ class Progress {
 
   /// For the steps: begins a run at 0.
   void begin();
-  /// For the steps: enters `stage`, whose work spans from the present fraction to `end`.
+  /// For the steps: ends the present stage and enters `stage`, whose work spans from there to the fraction `end`.
   void enterStage(const std::string& stage, double end);
   /// For the steps: share of the present stage that is done, 0 .. 1.
   void advance(double share_of_stage);

@@ -14,7 +14,8 @@ namespace mlsmesh::core {
 void parallelBlocks(const Context& context, std::size_t count, std::size_t block,
                     const std::function<void(std::size_t first, std::size_t last)>& body);
 
-/// The number of threads that a setting (0 = all) stands for.
+/// The number of threads that a setting stands for; 0 = all that OpenMP would take (every core, unless OMP_NUM_THREADS says
+/// otherwise).
 int threadCount(int setting);
 
 }  // namespace mlsmesh::core

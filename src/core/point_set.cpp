@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on:
+// Guy Macdonald Morton. A computer oriented geodetic data base and a new technique in file sequencing. IBM,
+// 1966.
+#include "mlsmesh/core/point_set.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/parallel.h"
+
+namespace mlsmesh::core {
+
+namespace {
+
+constexpr std::size_t kBlock = 1 << 14;
+constexpr int kMortonBits = 21;  // an axis; three of them fill a 64-bit key
+constexpr double kLineTolerance = 1e-9;
+constexpr double kMinExtent = 1e-50;  // products of six lengths stay finite and positive between these two
+constexpr double kMaxExtent = 1e50;
+
+/// An input point on its way to its place in the canonical order.
+struct Entry {
+  std::uint64_t key;
+  Index input;
+};
+
+struct Box {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  Vec3 center() const { return 0.5 * low + 0.5 * high; }
+  double halfExtent() const { return (0.5 * high - 0.5 * low).maxCoeff(); }
+};
+
+bool comesBefore(const Vec3& a, const Vec3& b) {
+  if (a.x() != b.x()) return a.x() < b.x();
+  if (a.y() != b.y()) return a.y() < b.y();
+  return a.z() < b.z();
+}
+
+std::vector<Index> chosenInputs(const std::vector<Vec3>& world, const std::vector<Index>* indices) {
+  if (world.empty()) throw Failure(StatusCode::EmptyInput, "the cloud holds no point");
+  const std::size_t most = std::numeric_limits<Index>::max();
+  if (world.size() > most || (indices && indices->size() > most))
+    throw Failure(StatusCode::IndexOverflow,
+                  "the cloud has more than 2147483647 points; thin it out or reconstruct it in parts");
+  if (!indices) {
+    std::vector<Index> all(world.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+  if (indices->empty())
+    throw Failure(StatusCode::EmptyInput, "the index list is empty; leave it unset to use every point");
+  for (std::size_t i = 0; i < indices->size(); ++i) {
+    const Index index = (*indices)[i];
+    if (index >= 0 && static_cast<std::size_t>(index) < world.size()) continue;
+    throw Failure(StatusCode::InvalidIndices,
+                  "indices[" + std::to_string(i) + "] is " + std::to_string(index) + " but the cloud has " +
+                      std::to_string(world.size()) + " points; set the indices anew with each cloud");
+  }
+  return *indices;
+}
+
+bool isFiniteOnceStored(const Vec3& point, StoredAs type) {
+  return type == StoredAs::Float ? point.cast<float>().allFinite() : point.allFinite();
+}
+
+void dropNonFinite(const std::vector<Vec3>& world, std::vector<Index>& inputs, PointSet& set) {
+  const auto kept = std::remove_if(inputs.begin(), inputs.end(),
+                                   [&](Index i) { return !isFiniteOnceStored(world[i], set.stored_as); });
+  set.non_finite = static_cast<Index>(inputs.end() - kept);
+  inputs.erase(kept, inputs.end());
+}
+
+Box boundingBox(const std::vector<Vec3>& world, const std::vector<Index>& inputs) {
+  Box box;
+  for (const Index input : inputs) box.add(world[input]);
+  return box;
+}
+
+/// The centre with few bits, so that taking it off and putting it back is exact wherever doubles allow it.
+Vec3 roundedOrigin(const Box& box) {
+  const Vec3 center = box.center();
+  return center.unaryExpr([](double c) {
+    const bool fits = std::abs(c) <= static_cast<double>(std::numeric_limits<float>::max());
+    return (fits ? static_cast<double>(static_cast<float>(c)) : c) + 0.0;
+  });
+}
+
+void checkExtent(const Box& box) {
+  const double extent = 2 * box.halfExtent();
+  if (extent == 0 || (extent >= kMinExtent && extent <= kMaxExtent)) return;
+  throw Failure(StatusCode::DegenerateInput,
+                "the cloud is " + std::string(extent > 1 ? "wider than 1e50" : "smaller than 1e-50") +
+                    "; scale its coordinates, or remove the stray points that make it so");
+}
+
+/// Moves bit i of a 21-bit number to bit 3 i.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 32) & 0x001f00000000ffff;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  bits = (bits | bits << 2) & 0x1249249249249249;
+  return bits;
+}
+
+/// Cells of a cube that holds the whole cloud, numbered along Morton's curve.
+class MortonCells {
+ public:
+  MortonCells(const Box& box, const Vec3& origin) : low_(box.low - origin) {
+    const double extent = 2 * box.halfExtent();
+    cells_per_length_ = extent > 0 ? kCells / extent : 0;
+  }
+
+  std::uint64_t key(const Vec3& local) const {
+    return cell(local, 0) << 2 | cell(local, 1) << 1 | cell(local, 2);
+  }
+
+ private:
+  static constexpr double kCells = 1 << kMortonBits;
+
+  std::uint64_t cell(const Vec3& local, int axis) const {
+    const double position = (local[axis] - low_[axis]) * cells_per_length_;
+    return spread(static_cast<std::uint64_t>(std::clamp(position, 0.0, kCells - 1)));
+  }
+
+  Vec3 low_;
+  double cells_per_length_;
+};
+
+/// Input points in canonical order; those with equal positions follow one another, the lowest input first.
+std::vector<Entry> sortedEntries(const std::vector<Vec3>& local, const std::vector<Index>& inputs,
+                                 const MortonCells& cells, const Context& context) {
+  std::vector<Entry> entries(inputs.size());
+  parallelBlocks(context, inputs.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) entries[i] = {cells.key(local[inputs[i]]), inputs[i]};
+  });
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    if (a.key != b.key) return a.key < b.key;
+    const Vec3 &p = local[a.input], &q = local[b.input];
+    return p == q ? a.input < b.input : comesBefore(p, q);
+  });
+  return entries;
+}
+
+void keepDistinct(const std::vector<Vec3>& local, const std::vector<Entry>& entries, PointSet& set) {
+  for (const Entry& entry : entries) {
+    const Vec3& position = local[entry.input];
+    if (set.position.empty() || set.position.back() != position) {
+      set.position.push_back(position);
+      set.source.push_back(entry.input);
+      set.duplicates_of.begin.push_back(set.duplicates_of.begin.back());
+    } else {
+      ++set.duplicates;
+      if (set.duplicates_of.items.back() == entry.input) continue;
+    }
+    set.duplicates_of.items.push_back(entry.input);
+    ++set.duplicates_of.begin.back();
+  }
+}
+
+/// Index of the point farthest from `from`, the first of equals.
+Index farthest(const std::vector<Vec3>& points, const Vec3& from) {
+  Index best = 0;
+  for (Index i = 1; i < static_cast<Index>(points.size()); ++i)
+    if ((points[i] - from).squaredNorm() > (points[best] - from).squaredNorm()) best = i;
+  return best;
+}
+
+/// Width below which a cloud is a line: that of a line whose points were rounded to the stored type.
+double lineWidth(const PointSet& set, const Box& box) {
+  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  const double epsilon = set.stored_as == StoredAs::Float
+                             ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                             : std::numeric_limits<double>::epsilon();
+  return std::max(kLineTolerance * 2 * box.halfExtent(), 2 * epsilon * largest);
+}
+
+bool isLine(const PointSet& set, const Box& box) {
+  const Vec3 a = set.position[farthest(set.position, set.position.front())];
+  const Vec3 b = set.position[farthest(set.position, a)];
+  const Vec3 along = (b - a) / (b - a).norm();
+  const double width = lineWidth(set, box);
+  return std::all_of(set.position.begin(), set.position.end(),
+                     [&](const Vec3& p) { return (p - a).cross(along).norm() <= width; });
+}
+
+void checkShape(const PointSet& set, std::size_t given, const Box& box) {
+  if (set.size() < 3)
+    throw Failure(StatusCode::TooFewPoints,
+                  "of " + std::to_string(given) + " points " + std::to_string(set.non_finite) +
+                      " are not finite and " + std::to_string(set.duplicates) + " are duplicates; " +
+                      std::to_string(set.size()) + " remain, but a surface needs 3");
+  if (isLine(set, box))
+    throw Failure(StatusCode::DegenerateInput,
+                  "all " + std::to_string(set.size()) +
+                      " distinct points lie on one line; a surface needs points beside it");
+}
+
+}  // namespace
+
+Vec3 PointSet::stored(const Vec3& local) const {
+  const Vec3 exact = world(local);
+  const Vec3 rounded = stored_as == StoredAs::Float ? Vec3(exact.cast<float>().cast<double>()) : exact;
+  return rounded - origin;
+}
+
+PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const std::vector<Index>* indices,
+                      Context& context) {
+  PointSet set;
+  set.stored_as = stored_as;
+  std::vector<Index> inputs = chosenInputs(world, indices);
+  const std::size_t given = inputs.size();
+  dropNonFinite(world, inputs, set);
+  if (inputs.empty()) checkShape(set, given, {});
+  const Box box = boundingBox(world, inputs);
+  checkExtent(box);
+  set.origin = roundedOrigin(box);
+
+  const Vec3 no_negative_zero = Vec3::Zero();
+  std::vector<Vec3> local(world.size());
+  parallelBlocks(context, world.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      local[i] = set.stored(world[i] - set.origin) + no_negative_zero;
+  });
+  keepDistinct(local, sortedEntries(local, inputs, MortonCells(box, set.origin), context), set);
+  checkShape(set, given, box);
+  return set;
+}
+
+}  // namespace mlsmesh::core
