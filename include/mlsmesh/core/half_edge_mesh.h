@@ -47,6 +47,8 @@ class HalfEdgeMesh {
   Index fanCount(Index vertex) const;
   /// One closed fan and no other: nothing more fits here.
   bool isInterior(Index vertex) const;
+  /// The outgoing half-edges of each fan, in turning order.
+  std::vector<std::vector<Index>> fans(Index vertex) const;
   /// True when some half-edge at the vertex, outgoing or incoming, is a border: it has an open fan.
   bool isBorderVertex(Index vertex) const;
 
@@ -83,7 +85,6 @@ class HalfEdgeMesh {
   void setCorners(Index half_edge, const Triangle& corners);
   bool startsClosedFan(Index half_edge) const;
   Index nextBorder(Index half_edge) const;
-  std::vector<std::vector<Index>> fans(Index vertex) const;
   std::string slotFault() const;
   std::string twinFault() const;
   std::string listFault() const;

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on:
+// - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
+//   SIBGRAPI 2003, section 2.3: the advancing front over k nearest neighbours.
+// - D. Boltcheva, B. Levy, "Surface reconstruction by computing restricted Voronoi cells in parallel", 2017, and
+//   U. Adamy, J. Giesen, M. John, 2002: most triangles come from local stars that agree (delaunay_stars.cpp).
+// - D. Cohen-Steiner, F. Da, 2004: a priority queue, and edges that are put off until their surroundings are settled.
+// Departures: the front starts from what the stars agree on and only closes what is left (2-8 % of the triangles); pinched
+// vertices are normal while it grows and are resolved at the end.
+#include "mlsmesh/core/advancing_front.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+#include "border_fill.h"
+#include "delaunay_stars.h"
+#include "front_rules.h"
+#include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/neighbor_search.h"
+#include "overlap_tests.h"
+#include "pinches.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr int kRetries = 8;            // times that one border edge may look for another apex
+constexpr int kSweeps = 4;             // rounds over all border edges after the queue has run dry
+constexpr int kFreeNeighbors = 6;      // a restart needs so many unused neighbours around each of its points
+constexpr Index kLeastIsland = 8;      // triangles of an island that may start a further component
+constexpr Index kLargestDroppedFan = 3;
+
+struct Entry {
+  double key;
+  Index half_edge;
+  Index apex;  // kNone: not looked for yet
+};
+
+struct Later {
+  bool operator()(const Entry& a, const Entry& b) const {
+    return a.key > b.key || (a.key == b.key && a.half_edge > b.half_edge);
+  }
+};
+
+class Front {
+ public:
+  Front(const FrontInput& input, const TriangulationParameters& parameters, const Context& context, HalfEdgeMesh& mesh,
+        FrontStatistics& statistics)
+      : input_(input), parameters_(parameters), context_(context), mesh_(mesh), rules_(input, mesh, parameters),
+        statistics_(statistics) {}
+
+  /// Adds triangles that are known to be good; false for those that do not fit what is there.
+  bool load(const Triangle& triangle) {
+    const bool added = mesh_.addTriangle(triangle[0], triangle[1], triangle[2]) != kNone;
+    statistics_.seed_triangles += added ? 1 : 0;
+    return added;
+  }
+
+  /// Works off all border edges, those of loaded triangles too, until nothing fits any more.
+  void grow() {
+    const bool first_in_first_out = parameters_.order == FrontOrder::FirstInFirstOut;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (Index h = sweep == 0 ? next_slot_ : 0; h < 3 * mesh_.slotCount(); ++h) {
+        if (mesh_.alive(HalfEdgeMesh::triangleOf(h)) && mesh_.isBorder(h)) enqueue(h);
+      }
+      const Index before = mesh_.triangleCount();
+      workOff();
+      next_slot_ = 3 * mesh_.slotCount();
+      if (mesh_.triangleCount() == before || first_in_first_out) return;
+    }
+  }
+
+ private:
+  void enqueue(Index half_edge) {
+    if (parameters_.order == FrontOrder::FirstInFirstOut) {
+      queue_.push({static_cast<double>(sequence_++), half_edge, kNone});
+      return;
+    }
+    const Apex apex = rules_.best(half_edge);
+    if (apex.vertex != kNone) queue_.push({apex.score, half_edge, apex.vertex});
+  }
+
+  void workOff() {
+    std::size_t steps = 0;
+    while (!queue_.empty()) {
+      if (++steps % 1024 == 0) context_.checkCancelled();
+      Entry entry = queue_.top();
+      queue_.pop();
+      if (!mesh_.isBorder(entry.half_edge)) continue;
+      if (entry.apex == kNone) {
+        entry.apex = rules_.best(entry.half_edge).vertex;
+        if (entry.apex != kNone) add(entry.half_edge, entry.apex);
+      } else if (rules_.isLegal(entry.half_edge, entry.apex)) {
+        add(entry.half_edge, entry.apex);
+      } else if (mayRetry(entry.half_edge)) {
+        enqueue(entry.half_edge);
+      }
+    }
+  }
+
+  bool mayRetry(Index half_edge) {
+    if (retries_.size() <= static_cast<std::size_t>(half_edge)) {
+      retries_.resize(static_cast<std::size_t>(3 * mesh_.slotCount()), 0);
+    }
+    return retries_[half_edge]++ < kRetries;
+  }
+
+  void add(Index half_edge, Index apex) {
+    const Index triangle = mesh_.addTriangle(mesh_.target(half_edge), mesh_.origin(half_edge), apex);
+    ++statistics_.front_triangles;
+    for (Index h = 3 * triangle + 1; h < 3 * triangle + 3; ++h) {
+      if (mesh_.isBorder(h)) enqueue(h);
+    }
+  }
+
+  FrontInput input_;
+  const TriangulationParameters& parameters_;
+  const Context& context_;
+  HalfEdgeMesh& mesh_;
+  FrontRules rules_;
+  FrontStatistics& statistics_;
+  std::priority_queue<Entry, std::vector<Entry>, Later> queue_;
+  std::vector<unsigned char> retries_;
+  std::int64_t sequence_ = 0;
+  Index next_slot_ = 0;
+};
+
+// A point on which a further component may start: it and its surroundings are not part of any triangle.
+bool isFree(const FrontInput& input, const HalfEdgeMesh& mesh, Index point) {
+  if (mesh.isUsed(point)) return false;
+  const Index* row = input.neighbors.row(point);
+  return std::none_of(row, row + std::min(kFreeNeighbors, input.neighbors.k), [&](Index q) { return mesh.isUsed(q); });
+}
+
+Vec3 normalOf(const FrontInput& input, const Triangle& t) {
+  return unitNormal(input.points[t[0]], input.points[t[1]], input.points[t[2]]);
+}
+
+// Whether the triangles are turned against the mesh near them: the sign of the summed products of their normals with those
+// of the mesh at neighbouring points.
+bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh, const std::vector<Triangle>& triangles) {
+  double agreement = 0;
+  for (const Triangle& t : triangles) {
+    const Vec3 normal = normalOf(input, t);
+    for (const Index corner : t) {
+      const Index* row = input.neighbors.row(corner);
+      for (int i = 0; i < input.neighbors.k; ++i) {
+        const Index h = mesh.firstOutgoing(row[i]);
+        if (h != kNone) agreement += normal.dot(normalOf(input, mesh.corners(HalfEdgeMesh::triangleOf(h))));
+      }
+    }
+  }
+  return agreement < 0;
+}
+
+void growFromIslands(const FrontInput& input, const Islands& islands, const TriangulationParameters& parameters,
+                     const HalfEdgeMesh& mesh, Front& front) {
+  for (Index i = 0; i < islands.count(); ++i) {
+    std::vector<Triangle> usable;
+    for (Index t = islands.begin[i]; t < islands.begin[i + 1]; ++t) {
+      const Triangle& corners = islands.triangles[t];
+      if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return isFree(input, mesh, v); })) {
+        usable.push_back(corners);
+      }
+    }
+    if (usable.empty() || (i > 0 && static_cast<Index>(usable.size()) < kLeastIsland)) continue;
+    if (isTurnedAgainst(input, mesh, usable)) {
+      for (Triangle& t : usable) std::swap(t[1], t[2]);
+    }
+    for (const Triangle& t : usable) front.load(t);
+    front.grow();
+    if (!parameters.restart) return;
+  }
+}
+
+// The paper's first triangle at p: its nearest neighbour q and the r that sees pq under the largest angle.
+Triangle seedAt(const FrontInput& input, Index p, double length_limit) {
+  const auto& x = input.points;
+  const Index* row = input.neighbors.row(p);
+  const Index q = row[0];
+  Triangle best{kNone, kNone, kNone};
+  double widest = 0;
+  for (int i = 1; i < input.neighbors.k; ++i) {
+    const Index r = row[i];
+    const Vec3 a = x[p] - x[r];
+    const Vec3 b = x[q] - x[r];
+    const double sine = a.cross(b).norm();
+    if (sine <= 1e-3 * a.norm() * b.norm() || std::max(a.norm(), b.norm()) > length_limit) continue;
+    const double angle = std::atan2(sine, a.dot(b));
+    if (angle > widest) {
+      widest = angle;
+      best = {p, q, r};
+    }
+  }
+  return best;
+}
+
+void growFromSingleTriangles(const FrontInput& input, const TriangulationParameters& parameters, HalfEdgeMesh& mesh,
+                             Front& front) {
+  const FrontRules rules(input, mesh, parameters);
+  for (Index p = 0; p < mesh.vertexCount(); ++p) {
+    if (!isFree(input, mesh, p)) continue;
+    const Triangle seed = seedAt(input, p, rules.lengthLimit(p, input.neighbors.row(p)[0]));
+    if (seed[0] == kNone || !isFree(input, mesh, seed[1]) || !isFree(input, mesh, seed[2])) continue;
+    front.load(seed);
+    front.grow();
+    if (!parameters.restart) return;
+  }
+}
+
+// Turns every component so that the volume under it, seen from its own centroid, is positive: outward where it is closed.
+void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
+  Index count = 0;
+  const std::vector<Index> component = mesh.components(&count);
+  std::vector<std::vector<Index>> members(count);
+  for (Index t = 0; t < mesh.slotCount(); ++t) {
+    if (component[t] != kNone) members[component[t]].push_back(t);
+  }
+  for (const std::vector<Index>& triangles : members) {
+    Vec3 centroid = Vec3::Zero();
+    for (const Index t : triangles) {
+      for (const Index v : mesh.corners(t)) centroid += points[v];
+    }
+    centroid /= 3.0 * static_cast<double>(triangles.size());
+    double volume = 0;
+    for (const Index t : triangles) {
+      const auto [a, b, c] = mesh.corners(t);
+      volume += (points[a] - centroid).dot((points[b] - centroid).cross(points[c] - centroid));
+    }
+    if (volume < 0) mesh.reverse(triangles);
+  }
+}
+
+void closeLoops(const std::vector<Vec3>& points, double spacing, const TriangulationParameters& parameters,
+                HalfEdgeMesh& mesh, FrontStatistics& statistics) {
+  if (!parameters.fill_small_loops) return;
+  const FillCount filled =
+      fillLoops(mesh, points, {parameters.fill_max_edges, parameters.fill_max_perimeter * spacing});
+  statistics.filled_loops += filled.loops;
+  statistics.filled_triangles += filled.triangles;
+}
+
+}  // namespace
+
+Triangulation triangulate(const std::vector<Vec3>& points, const std::vector<Vec3>* normals, double spacing,
+                          bool may_split, const TriangulationParameters& parameters, const Context& context) {
+  const auto search = makeKdTree(points);
+  const NeighborTable neighbors = nearestOfAll(points, *search, parameters.neighbors, context);
+  const std::vector<double> local_spacing = localSpacings(points, neighbors, context);
+  const FrontInput input{points, neighbors, local_spacing};
+
+  Triangulation result;
+  HalfEdgeMesh mesh(static_cast<Index>(points.size()));
+  Front front(input, parameters, context, mesh, result.statistics);
+  if (parameters.seeds == SeedRule::AgreedStars) {
+    const std::vector<Vec3> own = normals ? std::vector<Vec3>() : tangentNormals(points, neighbors, context);
+    const StarRings stars =
+        localStars(points, normals ? *normals : own, neighbors, local_spacing, parameters.length_factor, context);
+    growFromIslands(input, agreedIslands(stars, context), parameters, mesh, front);
+  }
+  if (mesh.triangleCount() == 0) growFromSingleTriangles(input, parameters, mesh, front);
+  if (mesh.triangleCount() == 0) {
+    throw Failure(StatusCode::NoTriangles, "no triangle fits the points; they may be too sparse or scattered");
+  }
+
+  std::vector<Index>* duplicates = may_split ? &result.duplicate_of : nullptr;
+  closeLoops(points, spacing, parameters, mesh, result.statistics);
+  const PinchCount pinches = resolvePinches(mesh, kLargestDroppedFan, duplicates);
+  result.statistics.dropped_triangles = pinches.dropped_triangles;
+  result.statistics.split_vertices = pinches.split_vertices;
+  std::vector<Vec3> positions = points;
+  for (const Index original : result.duplicate_of) positions.push_back(points[original]);
+  closeLoops(positions, spacing, parameters, mesh, result.statistics);
+  orientOutward(positions, mesh);
+  for (Index p = 0; p < static_cast<Index>(points.size()); ++p) result.statistics.unused_points += !mesh.isUsed(p);
+  result.triangles = mesh.triangles();
+  return result;
+}
+
+}  // namespace mlsmesh::core

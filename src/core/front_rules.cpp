@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on:
+// - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
+//   SIBGRAPI 2003, section 2.3 (GET_POINT), which is one parameter set of these rules.
+// - D. Cohen-Steiner, F. Da, "A greedy Delaunay-based surface reconstruction algorithm", 2004: order by radius and bend.
+// Departures (defaults): the narrowest window first picks far coplanar points before near bent ones, so windows are wide
+// and the bend is a penalty; edges are limited by the local spacing, because a multiple of the nearest distance stops at
+// every pair of near-duplicates.
+#include "front_rules.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "overlap_tests.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kSliver = 1e-6;  // twice the area over the squared longest edge, below which a triangle is none
+
+double angleAt(const Vec3& apex, const Vec3& a, const Vec3& b) {
+  return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
+}
+
+double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * (b - a).cross(c - a).norm());
+}
+
+}  // namespace
+
+double FrontRules::lengthLimit(Index u, Index v) const {
+  if (parameters_.length_rule == LengthRule::LocalSpacing) {
+    return parameters_.length_factor * std::max(input_.spacing[u], input_.spacing[v]);
+  }
+  const auto nearest = [&](Index p) { return (input_.points[input_.neighbors.row(p)[0]] - input_.points[p]).norm(); };
+  return parameters_.length_factor * std::min(nearest(u), nearest(v));
+}
+
+int FrontRules::windowOf(double bend) const {
+  if (bend > parameters_.bend_max) return -1;
+  if (bend <= parameters_.bend_first) return 0;
+  return static_cast<int>(std::ceil((bend - parameters_.bend_first) / parameters_.bend_step));
+}
+
+double FrontRules::scoreOf(Index u, Index v, Index apex, double bend) const {
+  const auto& p = input_.points;
+  if (parameters_.apex_choice == ApexChoice::LargestAngle) return -angleAt(p[apex], p[u], p[v]);
+  const double ls = std::max(input_.spacing[u], input_.spacing[v]);
+  return circumradius(p[u], p[v], p[apex]) / ls * (1 + (bend / 45) * (bend / 45));
+}
+
+double FrontRules::bendOf(Index half_edge, const Vec3& normal) const {
+  const auto& p = input_.points;
+  const Vec3 before =
+      unitNormal(p[mesh_.origin(half_edge)], p[mesh_.target(half_edge)], p[mesh_.opposite(half_edge)]);
+  return std::atan2(before.cross(normal).norm(), before.dot(normal)) * kDegrees;
+}
+
+void FrontRules::addCandidates(Index half_edge, const Index* row, std::vector<Candidate>& candidates) const {
+  const auto& p = input_.points;
+  const Index u = mesh_.origin(half_edge);
+  const Index v = mesh_.target(half_edge);
+  const Index s = mesh_.opposite(half_edge);
+  const double limit = lengthLimit(u, v);
+  for (int i = 0; i < input_.neighbors.k; ++i) {
+    const Index t = row[i];
+    if (t == u || t == v || t == s) continue;
+    const double longest = std::max((p[t] - p[u]).norm(), (p[t] - p[v]).norm());
+    if (longest > limit || !mesh_.canAdd(v, u, t) || mesh_.isInterior(t)) continue;
+    const Vec3 area = (p[u] - p[v]).cross(p[t] - p[v]);
+    const double widest = std::max(longest, (p[u] - p[v]).norm());
+    if (area.norm() <= kSliver * widest * widest) continue;
+    const double bend = bendOf(half_edge, area.normalized());
+    const int window = windowOf(bend);
+    if (window >= 0) candidates.push_back({t, window, scoreOf(u, v, t, bend)});
+  }
+}
+
+Apex FrontRules::best(Index half_edge) const {
+  std::vector<Candidate> candidates;
+  const Index u = mesh_.origin(half_edge);
+  const Index v = mesh_.target(half_edge);
+  addCandidates(half_edge, input_.neighbors.row(u), candidates);
+  if (parameters_.candidates == CandidateRule::BothEndpoints) {
+    addCandidates(half_edge, input_.neighbors.row(v), candidates);
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.window != b.window) return a.window < b.window;
+    return a.score < b.score || (a.score == b.score && a.apex < b.apex);
+  });
+  Index previous = kNone;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.apex == previous) continue;
+    previous = candidate.apex;
+    if (!overlaps(u, v, candidate.apex)) return {candidate.apex, candidate.score};
+  }
+  return {};
+}
+
+bool FrontRules::isLegal(Index half_edge, Index apex) const {
+  const Index u = mesh_.origin(half_edge);
+  const Index v = mesh_.target(half_edge);
+  return mesh_.canAdd(v, u, apex) && !mesh_.isInterior(apex) && !overlaps(u, v, apex);
+}
+
+bool FrontRules::overlaps(Index u, Index v, Index apex) const {
+  const auto& p = input_.points;
+  const double longest = std::max({(p[u] - p[v]).norm(), (p[v] - p[apex]).norm(), (p[apex] - p[u]).norm()});
+  const NewTriangle triangle{{v, u, apex}, unitNormal(p[v], p[u], p[apex]), longest};
+  if (overlapsSector(mesh_, p, triangle, 2)) return true;
+  if (parameters_.overlap_test == OverlapTest::ApexStar) return false;
+  if (overlapsSector(mesh_, p, triangle, 0) || overlapsSector(mesh_, p, triangle, 1)) return true;
+  for (const Index corner : triangle.corner) {
+    const Index* row = input_.neighbors.row(corner);
+    for (int i = 0; i < input_.neighbors.k; ++i) {
+      if (containsPoint(mesh_, p, triangle, row[i])) return true;
+      if (mesh_.isUsed(row[i]) && crossesBorderAt(mesh_, p, triangle, row[i])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace mlsmesh::core

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mlsmesh/core/half_edge_mesh.h"
+#include "mlsmesh/core/neighbor_search.h"
+#include "mlsmesh/parameters.h"
+
+namespace mlsmesh::core {
+
+/// Everything the front reads: the points, their neighbours, and what follows from both.
+struct FrontInput {
+  const std::vector<Vec3>& points;
+  const NeighborTable& neighbors;
+  const std::vector<double>& spacing;  ///< local spacing ls of every point
+};
+
+/// The apex of the next triangle on a border half-edge, kNone if there is none.
+struct Apex {
+  Index vertex = kNone;
+  double score = 0;  ///< smaller is better
+};
+
+/// Decides which triangle may follow on a border half-edge u -> v: candidates, angle windows, length limit, and the tests
+/// that keep the mesh from overlapping itself. Reads the mesh, never changes it. The same call on the same mesh gives the
+/// same bits, so a queue entry can be checked again when it is popped.
+class FrontRules {
+ public:
+  FrontRules(const FrontInput& input, const HalfEdgeMesh& mesh, const TriangulationParameters& parameters)
+      : input_(input), mesh_(mesh), parameters_(parameters) {}
+
+  /// Best legal apex for the triangle (v, u, apex).
+  Apex best(Index half_edge) const;
+  /// Whether (v, u, apex) may be added as the mesh is now.
+  bool isLegal(Index half_edge, Index apex) const;
+  /// Longest edge that a triangle on edge uv may have.
+  double lengthLimit(Index u, Index v) const;
+
+ private:
+  struct Candidate {
+    Index apex;
+    int window;
+    double score;
+  };
+
+  void addCandidates(Index half_edge, const Index* row, std::vector<Candidate>& candidates) const;
+  int windowOf(double bend) const;
+  double scoreOf(Index u, Index v, Index apex, double bend) const;
+  double bendOf(Index half_edge, const Vec3& normal) const;
+  bool overlaps(Index u, Index v, Index apex) const;
+
+  FrontInput input_;
+  const HalfEdgeMesh& mesh_;
+  const TriangulationParameters& parameters_;
+};
+
+}  // namespace mlsmesh::core

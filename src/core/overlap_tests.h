@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mlsmesh/core/half_edge_mesh.h"
+
+namespace mlsmesh::core {
+
+/// A triangle that is about to be added, with its unit normal and longest edge.
+struct NewTriangle {
+  Triangle corner;
+  Vec3 normal;
+  double longest = 0;
+};
+
+/// True if the sector of the triangle at its corner number `corner` overlaps that of a triangle already there, both
+/// projected on the plane of their mean normal, or is itself turned over in that plane.
+bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, int corner);
+
+/// True if `point` (unused or on a border, same side of the surface) lies over the inside of the triangle, no higher than
+/// half its longest edge.
+bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, Index point);
+
+/// True if a border edge at `point` crosses one of the two edges between the triangle's last corner and the others, seen
+/// along the triangle's normal and no farther apart than half its longest edge.
+bool crossesBorderAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
+                     Index point);
+
+/// Unit normal of three points; zero where they are collinear.
+Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace mlsmesh::core
