@@ -11,17 +11,17 @@ namespace mlsmesh {
 struct MeshReport {
   core::Index vertices = 0;  ///< all, used or not
   core::Index triangles = 0;
-  core::Index isolated_vertices = 0;  ///< in no triangle
-  core::Index components = 0;         ///< connected through shared edges
-  core::Index border_loops = 0;
-  core::Index border_edges = 0;
-  core::Index nonmanifold_edges = 0;  ///< with three or more triangles
-  core::Index nonmanifold_vertices = 0;  ///< with more than one fan
-  core::Index orientation_conflicts = 0; ///< two-triangle edges run in the same direction by both
-  core::Index degenerate_faces = 0;      ///< a repeated vertex, or exactly collinear in doubles
-  core::Index duplicate_faces = 0;
-  core::Index euler = 0;          ///< V - E + F of the used vertices
-  std::optional<int> genus;       ///< summed over components, loops capped; none unless an oriented manifold
+  core::Index isolated_vertices = 0;      ///< in no triangle
+  core::Index components = 0;             ///< connected through shared edges
+  core::Index border_loops = 0;           ///< as if cut at pinches; a chain that ends on a non-manifold edge is none
+  core::Index border_edges = 0;           ///< with one triangle
+  core::Index nonmanifold_edges = 0;      ///< with three or more triangles
+  core::Index nonmanifold_vertices = 0;   ///< with more than one fan, or at a non-manifold edge
+  core::Index orientation_conflicts = 0;  ///< two-triangle edges run in the same direction by both
+  core::Index degenerate_faces = 0;       ///< a repeated vertex, not finite, or exactly collinear in doubles
+  core::Index duplicate_faces = 0;        ///< with the three vertices of an earlier face, in any order
+  core::Index euler = 0;                  ///< V - E + F of the used vertices
+  std::optional<int> genus;               ///< of all components, loops capped; none unless an oriented manifold
 
   bool isManifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
   bool isSound() const {
@@ -29,7 +29,8 @@ struct MeshReport {
   }
 };
 
-/// Counts in O(n log n). Faces with an index out of [0, vertices) are counted as degenerate and left out.
+/// Counts in O(n log n). Faces with a repeated index, or one out of [0, vertices), are counted as degenerate and left out of
+/// all else; collinear faces and duplicates stay in. Throws core::Failure(IndexOverflow) beyond 2^31 - 1 half-edges.
 MeshReport reportMesh(const std::vector<core::Vec3>& vertices, const std::vector<core::Triangle>& triangles);
 
 }  // namespace mlsmesh

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on:
+// Jonathan Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates. 1997
+// (exact sums).
+#include "mlsmesh/mesh_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "mlsmesh/core/failure.h"
+
+namespace mlsmesh {
+
+namespace {
+
+using core::Index;
+using core::kNone;
+using core::Triangle;
+using core::Vec3;
+
+/// Disjoint sets of 0 .. n - 1; the leader of a set is its lowest member.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  Index leader(Index item) {
+    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
+    return item;
+  }
+  void join(Index a, Index b) {
+    a = leader(a);
+    b = leader(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+  Index count() const {
+    Index leaders = 0;
+    for (std::size_t i = 0; i < parent_.size(); ++i) leaders += parent_[i] == static_cast<Index>(i);
+    return leaders;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// A sum of doubles without rounding: components that do not overlap, the largest last.
+class ExactSum {
+ public:
+  void addProduct(double a, double b) {
+    const double product = a * b;
+    add(std::fma(a, b, -product));
+    add(product);
+  }
+  bool isZero() const {
+    return std::all_of(parts_.begin(), parts_.begin() + size_, [](double part) { return part == 0; });
+  }
+
+ private:
+  void add(double value) {
+    for (int i = 0; i < size_; ++i) {
+      const double sum = value + parts_[i];
+      const double rounded = sum - value;
+      parts_[i] = (value - (sum - rounded)) + (parts_[i] - rounded);
+      value = sum;
+    }
+    parts_[size_++] = value;
+  }
+
+  std::array<double, 12> parts_{};
+  int size_ = 0;
+};
+
+/// True if rounding and underflow cannot make the triangle's projection along `axis` look wider than a line.
+bool isSurelyWide(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr double underflow = std::numeric_limits<double>::min() / epsilon;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double left = (a[u] - c[u]) * (b[v] - c[v]), right = (a[v] - c[v]) * (b[u] - c[u]);
+  return std::abs(left - right) > 4 * epsilon * (std::abs(left) + std::abs(right)) + underflow;
+}
+
+bool isExactlyFlat(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  ExactSum area;
+  area.addProduct(a[u], b[v]);
+  area.addProduct(-a[v], b[u]);
+  area.addProduct(b[u], c[v]);
+  area.addProduct(-b[v], c[u]);
+  area.addProduct(c[u], a[v]);
+  area.addProduct(-c[v], a[u]);
+  return area.isZero();
+}
+
+/// Corners that are not finite count as collinear.
+bool isCollinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+  if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
+  for (int axis = 0; axis < 3; ++axis)
+    if (isSurelyWide(a, b, c, axis)) return false;
+  const double largest =
+      std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+  if (largest == 0) return true;
+  const int exponent = -std::ilogb(largest);
+  const auto scaled = [&](const Vec3& p) -> Vec3 {
+    return p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+  };
+  const Vec3 p = scaled(a), q = scaled(b), r = scaled(c);
+  return isExactlyFlat(p, q, r, 0) && isExactlyFlat(p, q, r, 1) && isExactlyFlat(p, q, r, 2);
+}
+
+bool hasValidCorners(const Triangle& face, Index vertices) {
+  const auto [low, high] = std::minmax_element(face.begin(), face.end());
+  return *low >= 0 && *high < vertices && face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+}
+
+/// The edges of a soup, each with all its half-edges; half-edge 3 * face + corner runs from that corner to
+/// the next.
+class Soup {
+ public:
+  Soup(Index vertices, std::vector<Triangle> faces) : vertices_(vertices), faces_(std::move(faces)) {
+    sortHalfEdges();
+    beginEdges();
+  }
+
+  Index vertexCount() const { return vertices_; }
+  Index faceCount() const { return static_cast<Index>(faces_.size()); }
+  Index halfEdgeCount() const { return 3 * faceCount(); }
+  Index edgeCount() const { return static_cast<Index>(begin_.size()) - 1; }
+  Index faces(Index edge) const { return begin_[edge + 1] - begin_[edge]; }
+  /// Half-edge of the `nth` face at an edge.
+  Index halfEdge(Index edge, Index nth) const { return sorted_[begin_[edge] + nth]; }
+
+  static Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
+  Index origin(Index half_edge) const { return faces_[half_edge / 3][half_edge % 3]; }
+  Index target(Index half_edge) const { return origin(next(half_edge)); }
+  Index opposite(Index half_edge) const { return origin(next(next(half_edge))); }
+  /// The corner of the half-edge's face at `vertex`, one of its ends, named by the half-edge that leaves it.
+  Index cornerAt(Index half_edge, Index vertex) const {
+    return origin(half_edge) == vertex ? half_edge : next(half_edge);
+  }
+
+ private:
+  Index low(Index half_edge) const { return std::min(origin(half_edge), target(half_edge)); }
+  Index high(Index half_edge) const { return std::max(origin(half_edge), target(half_edge)); }
+
+  /// By (lower end, higher end, half-edge): counted into one bucket per lower end, each bucket then sorted.
+  void sortHalfEdges() {
+    std::vector<Index> bucket(static_cast<std::size_t>(vertices_) + 1, 0);
+    for (Index h = 0; h < halfEdgeCount(); ++h) ++bucket[low(h) + 1];
+    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+    sorted_.resize(halfEdgeCount());
+    std::vector<Index> place(bucket.begin(), bucket.end() - 1);
+    for (Index h = 0; h < halfEdgeCount(); ++h) sorted_[place[low(h)]++] = h;
+    for (Index v = 0; v < vertices_; ++v)
+      std::sort(sorted_.begin() + bucket[v], sorted_.begin() + bucket[v + 1],
+                [&](Index a, Index b) { return high(a) != high(b) ? high(a) < high(b) : a < b; });
+  }
+
+  void beginEdges() {
+    for (Index i = 0; i < halfEdgeCount(); ++i) {
+      const bool same =
+          i > 0 && low(sorted_[i]) == low(sorted_[i - 1]) && high(sorted_[i]) == high(sorted_[i - 1]);
+      if (!same) begin_.push_back(i);
+    }
+    begin_.push_back(halfEdgeCount());
+  }
+
+  Index vertices_;
+  std::vector<Triangle> faces_;
+  std::vector<Index> sorted_;
+  std::vector<Index> begin_;
+};
+
+/// Faces at an edge that repeat the vertices of an earlier one; each face is asked at the edge of its two
+/// lowest vertices.
+Index duplicatesAt(const Soup& soup, Index edge, std::vector<Index>& apexes) {
+  const Index any = soup.halfEdge(edge, 0);
+  const Index high = std::max(soup.origin(any), soup.target(any));
+  apexes.clear();
+  for (Index i = 0; i < soup.faces(edge); ++i) {
+    const Index apex = soup.opposite(soup.halfEdge(edge, i));
+    if (apex > high) apexes.push_back(apex);
+  }
+  std::sort(apexes.begin(), apexes.end());
+  const auto distinct = std::unique(apexes.begin(), apexes.end());
+  return static_cast<Index>(apexes.end() - distinct);
+}
+
+void countEdges(const Soup& soup, MeshReport& report) {
+  std::vector<Index> apexes;
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge) {
+    const Index faces = soup.faces(edge);
+    if (faces == 1) ++report.border_edges;
+    if (faces > 2) ++report.nonmanifold_edges;
+    if (faces == 2 && soup.origin(soup.halfEdge(edge, 0)) == soup.origin(soup.halfEdge(edge, 1)))
+      ++report.orientation_conflicts;
+    if (faces > 1) report.duplicate_faces += duplicatesAt(soup, edge, apexes);
+  }
+}
+
+Index countComponents(const Soup& soup) {
+  Sets components(soup.faceCount());
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge)
+    for (Index i = 1; i < soup.faces(edge); ++i)
+      components.join(soup.halfEdge(edge, 0) / 3, soup.halfEdge(edge, i) / 3);
+  return components.count();
+}
+
+/// Corners joined into fans: round a vertex, across edges of exactly two faces.
+Sets joinFans(const Soup& soup) {
+  Sets fans(soup.halfEdgeCount());
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge) {
+    if (soup.faces(edge) != 2) continue;
+    const Index h = soup.halfEdge(edge, 0), g = soup.halfEdge(edge, 1);
+    for (const Index end : {soup.origin(h), soup.target(h)})
+      fans.join(soup.cornerAt(h, end), soup.cornerAt(g, end));
+  }
+  return fans;
+}
+
+void countVertices(const Soup& soup, Sets& fans, MeshReport& report) {
+  std::vector<Index> fan_count(soup.vertexCount(), 0);
+  for (Index corner = 0; corner < soup.halfEdgeCount(); ++corner)
+    if (fans.leader(corner) == corner) ++fan_count[soup.origin(corner)];
+  report.isolated_vertices = static_cast<Index>(std::count(fan_count.begin(), fan_count.end(), 0));
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge) {
+    if (soup.faces(edge) <= 2) continue;
+    const Index h = soup.halfEdge(edge, 0);
+    fan_count[soup.origin(h)] = fan_count[soup.target(h)] = 2;
+  }
+  report.nonmanifold_vertices = static_cast<Index>(
+      std::count_if(fan_count.begin(), fan_count.end(), [](Index count) { return count > 1; }));
+}
+
+/// Border edges joined where one fan has both; a fan that ends on a non-manifold edge leaves an open chain,
+/// not a loop.
+Index countBorderLoops(const Soup& soup, Sets& fans) {
+  Sets borders(soup.edgeCount());
+  std::vector<Index> waiting(soup.halfEdgeCount(),
+                             kNone);  // border edge of a fan that has not met the other yet
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge) {
+    if (soup.faces(edge) != 1) continue;
+    const Index h = soup.halfEdge(edge, 0);
+    for (const Index end : {soup.origin(h), soup.target(h)}) {
+      Index& other = waiting[fans.leader(soup.cornerAt(h, end))];
+      if (other != kNone) borders.join(other, edge);
+      other = other == kNone ? edge : kNone;
+    }
+  }
+  std::vector<char> is_chain(soup.edgeCount(), 0);
+  for (const Index edge : waiting)
+    if (edge != kNone) is_chain[borders.leader(edge)] = 1;
+  Index loops = 0;
+  for (Index edge = 0; edge < soup.edgeCount(); ++edge)
+    loops += soup.faces(edge) == 1 && borders.leader(edge) == edge && !is_chain[edge];
+  return loops;
+}
+
+/// The faces whose corners are three different vertices; the others, and collinear ones, are counted as
+/// degenerate.
+std::vector<Triangle> topologicalFaces(const std::vector<Vec3>& vertices,
+                                       const std::vector<Triangle>& triangles, MeshReport& report) {
+  std::vector<Triangle> faces;
+  faces.reserve(triangles.size());
+  for (const Triangle& face : triangles) {
+    const bool valid = hasValidCorners(face, report.vertices);
+    if (valid) faces.push_back(face);
+    if (!valid || isCollinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]))
+      ++report.degenerate_faces;
+  }
+  return faces;
+}
+
+}  // namespace
+
+MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+  constexpr std::size_t most = std::numeric_limits<Index>::max();
+  if (vertices.size() > most || triangles.size() > most / 3)
+    throw core::Failure(StatusCode::IndexOverflow,
+                        "the mesh has more half-edges than 32-bit indices can name");
+  MeshReport report;
+  report.vertices = static_cast<Index>(vertices.size());
+  report.triangles = static_cast<Index>(triangles.size());
+  const Soup soup(report.vertices, topologicalFaces(vertices, triangles, report));
+  countEdges(soup, report);
+  Sets fans = joinFans(soup);
+  countVertices(soup, fans, report);
+  report.border_loops = countBorderLoops(soup, fans);
+  report.components = countComponents(soup);
+  report.euler = report.vertices - report.isolated_vertices - soup.edgeCount() + soup.faceCount();
+  if (report.components > 0 && report.isManifold() && report.orientation_conflicts == 0)
+    report.genus = (2 * report.components - report.euler - report.border_loops) / 2;
+  return report;
+}
+
+}  // namespace mlsmesh
