@@ -20,9 +20,16 @@ struct RefinedMesh {
   Index levelCount() const { return static_cast<Index>(level_vertices.size()); }
 };
 
-/// Step 4: adds parameters.levels levels to `mesh`, which holds level 0 alone (an oriented 2-manifold). Throws
-/// Failure(InvalidMesh, Cancelled).
+/// Step 4: adds one level to `mesh`, whose finest level must be an oriented 2-manifold. `spacing` is the cloud's. The
+/// vertices of the level before stay where they are. Throws Failure(InvalidMesh, Cancelled).
+void addLevel(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
+              const Context& context, RefinedMesh& mesh);
+
+/// Adds parameters.levels levels.
 void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
                 const Context& context, RefinedMesh& mesh);
+
+/// Unit normals of the vertices: the area-weighted mean of the triangles around each, zero where they cancel or are none.
+std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3>& position);
 
 }  // namespace mlsmesh::core

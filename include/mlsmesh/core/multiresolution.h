@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "mlsmesh/core/advancing_front.h"
 #include "mlsmesh/core/mls_reduction.h"
 #include "mlsmesh/core/mls_refinement.h"
@@ -20,11 +23,11 @@ struct Reconstruction {
   double spacing = 0;          ///< of the cloud
   IndexLists clusters;         ///< members (points) of each level-0 vertex's cluster
   Representatives representatives;
-  RefinedMesh mesh;            ///< vertices used by some triangle come first ... every vertex of level 0 is used
+  RefinedMesh mesh;            ///< every vertex of a level is used by one of its triangles
   std::vector<Index> representative_of;  ///< representative of each level-0 vertex
   FrontStatistics front;
   std::vector<MeshReport> reports;  ///< one a level
-  std::vector<StageTime> stages;    ///< prepare, search, clustering, reduction, triangulation, refinement 1 .. n, report
+  std::vector<StageTime> stages;    ///< search, clustering, reduction, triangulation, refinement 1 .. n, report
 };
 
 /// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the ordered points of

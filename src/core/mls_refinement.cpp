@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
+// approximation", SIBGRAPI 2003, section 2.4.
+// Departures (defaults): an edge is split by the displacement of its midpoint along the normal, because the printed alpha
+// measures the bias of the neighbours' mean, which never vanishes; a new vertex stays within half an edge of its midpoint;
+// on a border it moves along the normal alone, so that loops keep their corners.
+#include "mlsmesh/core/mls_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edge_flips.h"
+#include "edge_split.h"
+#include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/parallel.h"
+#include "overlap_tests.h"
+
+namespace mlsmesh::core {
+namespace {
+
+struct EdgeNumbers {
+  std::vector<Index> first;    // half-edge of lower number of every edge
+  std::vector<Index> of_half;  // edge of every half-edge
+};
+
+EdgeNumbers numberEdges(const HalfEdgeMesh& mesh) {
+  EdgeNumbers numbers;
+  numbers.of_half.resize(static_cast<std::size_t>(3 * mesh.slotCount()));
+  for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
+    const Index g = mesh.twin(h);
+    if (g != kNone && g < h) {
+      numbers.of_half[h] = numbers.of_half[g];
+    } else {
+      numbers.of_half[h] = static_cast<Index>(numbers.first.size());
+      numbers.first.push_back(h);
+    }
+  }
+  return numbers;
+}
+
+class EdgeTest {
+ public:
+  EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
+           const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Vec3>& normals)
+      : points_(points), surface_(surface), spacing_(spacing), parameters_(parameters), mesh_(mesh),
+        position_(position), normals_(normals) {}
+
+  SplitEdge evaluate(Index half_edge) const {
+    SplitEdge edge;
+    edge.half_edge = half_edge;
+    const Index u = mesh_.origin(half_edge), v = mesh_.target(half_edge);
+    const Vec3 middle = 0.5 * (position_[u] + position_[v]);
+    const Vec3 normal = normalAt(half_edge);
+    Projection projection;
+    if (parameters_.test == RefinementTest::Displacement) {
+      projection = surface_.project(middle);
+      const double height = (projection.position - middle).dot(normal);
+      edge.marked = std::abs(height) >= parameters_.threshold * projection.spacing;
+    } else {
+      const double alpha = surface_.meanDifference(middle).dot(normal);
+      edge.marked = std::abs(alpha) >= parameters_.threshold * spacing_;
+      if (edge.marked) projection = surface_.project(middle + alpha * normal);
+    }
+    if (edge.marked) place(projection, middle, normal, (position_[u] - position_[v]).norm(), edge);
+    return edge;
+  }
+
+ private:
+  Vec3 normalAt(Index half_edge) const {
+    const Vec3 sum = normals_[mesh_.origin(half_edge)] + normals_[mesh_.target(half_edge)];
+    const double length = sum.norm();
+    if (length > 1e-6) return sum / length;
+    return unitNormal(position_[mesh_.origin(half_edge)], position_[mesh_.target(half_edge)],
+                      position_[mesh_.opposite(half_edge)]);
+  }
+
+  void place(const Projection& projection, const Vec3& middle, const Vec3& normal, double length,
+             SplitEdge& edge) const {
+    Vec3 step = projection.position - middle;
+    double limit = parameters_.max_displacement * length;
+    edge.kind = projection.kind;
+    if (mesh_.isBorder(edge.half_edge)) {
+      step = step.dot(normal) * normal;
+      limit = parameters_.border_displacement * length;
+      edge.kind = VertexKind::Border;
+    }
+    const double distance = step.norm();
+    if (!std::isfinite(distance)) {
+      step.setZero();
+      edge.kind = VertexKind::Clamped;
+    } else if (distance > limit) {
+      step *= limit / distance;
+      edge.kind = VertexKind::Clamped;
+    }
+    edge.midpoint = points_.stored(middle);
+    edge.position = points_.stored(middle + step);
+    edge.nearest = projection.nearest;
+    const bool usable = projection.normal.allFinite();
+    edge.normal = usable ? projection.normal : normal;
+    if (edge.normal.dot(normal) < 0) edge.normal = -edge.normal;
+  }
+
+  const PointSet& points_;
+  const MlsSurface& surface_;
+  const double spacing_;
+  const RefinementParameters& parameters_;
+  const HalfEdgeMesh& mesh_;
+  const std::vector<Vec3>& position_;
+  const std::vector<Vec3>& normals_;
+};
+
+// Triangles too thin to divide keep their edges whole.
+void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Index>& edge_of,
+                       double min_ratio, std::vector<SplitEdge>& edges) {
+  for (Index t = 0; t < mesh.slotCount(); ++t) {
+    const auto [a, b, c] = mesh.corners(t);
+    const double x = (position[a] - position[b]).norm();
+    const double y = (position[b] - position[c]).norm();
+    const double z = (position[c] - position[a]).norm();
+    if (std::min({x, y, z}) >= min_ratio * std::max({x, y, z})) continue;
+    for (int i = 0; i < 3; ++i) edges[edge_of[3 * t + i]].marked = false;
+  }
+}
+
+void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges, RefinedMesh& refined) {
+  for (const SplitEdge& edge : edges) {
+    if (!edge.marked) continue;
+    refined.position.push_back(edge.position);
+    refined.normal.push_back(edge.normal);
+    refined.kind.push_back(edge.kind);
+    refined.nearest.push_back(edge.nearest);
+    refined.parents.push_back({mesh.origin(edge.half_edge), mesh.target(edge.half_edge)});
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3>& position) {
+  std::vector<Vec3> normals(position.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 area = (position[b] - position[a]).cross(position[c] - position[a]);
+    for (const Index v : {a, b, c}) normals[v] += area;
+  }
+  for (Vec3& n : normals) n = n.squaredNorm() > 0 ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
+  return normals;
+}
+
+void addLevel(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
+              const Context& context, RefinedMesh& refined) {
+  HalfEdgeMesh mesh;
+  std::string why;
+  const Index vertices = static_cast<Index>(refined.position.size());
+  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why)) throw Failure(StatusCode::InvalidMesh, why);
+  const EdgeNumbers numbers = numberEdges(mesh);
+  const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
+  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals);
+  std::vector<SplitEdge> edges(numbers.first.size());
+  parallelBlocks(context, edges.size(), 256, [&](std::size_t first, std::size_t last) {
+    for (std::size_t e = first; e < last; ++e) edges[e] = test.evaluate(numbers.first[e]);
+  });
+
+  const double fold_angle = parameters.fold_guard ? parameters.fold_angle : -1.0;
+  std::vector<Triangle> triangles;
+  if (parameters.split_mode == SplitMode::Templates) {
+    keepThinTriangles(mesh, refined.position, numbers.of_half, parameters.min_edge_ratio, edges);
+    triangles = splitByTemplates(mesh, refined.position, numbers.of_half, fold_angle, points, context, edges);
+  } else {
+    triangles = splitOneByOne(mesh, refined.position, parameters.min_edge_ratio, fold_angle, points, edges);
+  }
+  appendVertices(mesh, edges, refined);
+  HalfEdgeMesh finer;
+  if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, finer, &why)) {
+    throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
+  }
+  flipEdges(finer, refined.position, parameters.flips, parameters.flip_guard);
+  refined.level_triangles.push_back(finer.triangles());
+  refined.level_vertices.push_back(finer.vertexCount());
+}
+
+void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
+                const Context& context, RefinedMesh& mesh) {
+  for (int level = 0; level < parameters.levels; ++level) {
+    context.checkCancelled();
+    addLevel(points, surface, spacing, parameters, context, mesh);
+  }
+}
+
+}  // namespace mlsmesh::core

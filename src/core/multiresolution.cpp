@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pipeline of B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
+// SIBGRAPI 2003, section 2.
+#include "mlsmesh/core/multiresolution.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "mlsmesh/core/bsp_clustering.h"
+#include "mlsmesh/core/parameter_check.h"
+
+namespace mlsmesh::core {
+namespace {
+
+// Times the stages one after the other and tells the progress handle which one runs.
+class Stopwatch {
+ public:
+  Stopwatch(Progress progress, std::vector<StageTime>& stages) : progress_(std::move(progress)), stages_(stages) {}
+
+  template <typename Work>
+  void run(const std::string& stage, double end, const Work& work) {
+    progress_.enterStage(stage, end);
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    stages_.push_back({stage, seconds.count()});
+    progress_.advance(1);
+  }
+
+ private:
+  Progress progress_;
+  std::vector<StageTime>& stages_;
+};
+
+IndexLists singletons(Index count) {
+  IndexLists lists;
+  lists.begin.resize(static_cast<std::size_t>(count) + 1);
+  std::iota(lists.begin.begin(), lists.begin.end(), 0);
+  lists.items.resize(static_cast<std::size_t>(count));
+  std::iota(lists.items.begin(), lists.items.end(), 0);
+  return lists;
+}
+
+// Clusters, smaller than asked where a small cloud would leave too few of them to carry a surface.
+IndexLists clustersOf(const std::vector<Vec3>& points, const MultiresolutionParameters& parameters, Context& context) {
+  ClusteringParameters clustering = parameters.clustering;
+  IndexLists clusters = clusterPoints(points, clustering, context);
+  if (clusters.count() >= parameters.min_representatives) return clusters;
+  while (clusters.count() < parameters.min_representatives && clustering.max_size > 1) {
+    clustering.max_size = std::max(1, 2 * clustering.max_size / 3);
+    clustering.min_leaf = std::min(clustering.min_leaf, std::max(1, clustering.max_size / 2));
+    clusters = clusterPoints(points, clustering, context);
+  }
+  if (clusters.count() < parameters.min_representatives) clusters = singletons(static_cast<Index>(points.size()));
+  context.warnings.push_back("few points: clusters were made smaller, which leaves " +
+                             std::to_string(clusters.count()) + " representatives");
+  return clusters;
+}
+
+// The input points themselves in the place of representatives.
+Representatives unreduced(const PointSet& points) {
+  const std::size_t count = static_cast<std::size_t>(points.size());
+  Representatives all;
+  all.position = points.position;
+  all.nearest.resize(count);
+  std::iota(all.nearest.begin(), all.nearest.end(), 0);
+  all.kind.assign(count, VertexKind::InputPoint);
+  return all;
+}
+
+// Level 0: the vertices that a triangle uses, in the order of the representatives, copies of split ones last.
+void makeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
+  const Representatives& all = result.representatives;
+  const Index originals = all.size();
+  const Index total = originals + static_cast<Index>(triangulation.duplicate_of.size());
+  std::vector<Index> vertex_of(static_cast<std::size_t>(total), kNone);
+  for (const Triangle& t : triangulation.triangles) {
+    for (const Index v : t) vertex_of[v] = 0;
+  }
+  RefinedMesh& mesh = result.mesh;
+  IndexLists members;
+  for (Index v = 0; v < total; ++v) {
+    if (vertex_of[v] == kNone) continue;
+    vertex_of[v] = static_cast<Index>(mesh.position.size());
+    const Index from = v < originals ? v : triangulation.duplicate_of[v - originals];
+    result.representative_of.push_back(from);
+    mesh.position.push_back(all.position[from]);
+    mesh.kind.push_back(all.kind[from]);
+    mesh.nearest.push_back(all.nearest[from]);
+    mesh.parents.push_back({vertex_of[v], vertex_of[v]});
+    const Index* cluster = result.clusters.data(from);
+    members.items.insert(members.items.end(), cluster, cluster + result.clusters.size(from));
+    members.begin.push_back(static_cast<Index>(members.items.size()));
+  }
+  result.clusters = std::move(members);
+  std::vector<Triangle> triangles = triangulation.triangles;
+  for (Triangle& t : triangles) {
+    for (Index& v : t) v = vertex_of[v];
+  }
+  mesh.normal = vertexNormals(triangles, mesh.position);
+  for (std::size_t v = 0; v < mesh.position.size() && !all.normal.empty(); ++v) {
+    const Vec3& fitted = all.normal[result.representative_of[v]];
+    mesh.normal[v] = fitted.dot(mesh.normal[v]) < 0 ? Vec3(-fitted) : fitted;
+  }
+  mesh.level_triangles.push_back(std::move(triangles));
+  mesh.level_vertices.push_back(static_cast<Index>(mesh.position.size()));
+}
+
+MeshReport reportLevel(const RefinedMesh& mesh, Index level) {
+  const std::vector<Vec3> vertices(mesh.position.begin(), mesh.position.begin() + mesh.level_vertices[level]);
+  return reportMesh(vertices, mesh.level_triangles[level]);
+}
+
+}  // namespace
+
+Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
+                           const MultiresolutionParameters& parameters, Context& context) {
+  check(parameters);
+  Reconstruction result;
+  result.points = std::move(points);
+  const std::vector<Vec3>& position = result.points.position;
+  Stopwatch stages(context.progress, result.stages);
+
+  std::unique_ptr<NeighborSearch> search;
+  stages.run("search", 0.05, [&] {
+    search = search_factory ? search_factory(result.points) : makeKdTree(position);
+    result.spacing = medianSpacing(position, *search, context);
+  });
+  const MlsSurface surface(position, *search, parameters.projection);
+
+  if (parameters.reduce) {
+    stages.run("clustering", 0.1, [&] { result.clusters = clustersOf(position, parameters, context); });
+    stages.run("reduction", 0.25, [&] {
+      result.representatives =
+          reducePoints(result.points, surface, result.clusters, parameters.reduction, context);
+    });
+  } else {
+    result.clusters = singletons(result.points.size());
+    result.representatives = unreduced(result.points);
+  }
+  stages.run("triangulation", parameters.reduce ? 0.45 : 0.7, [&] {
+    const Representatives& all = result.representatives;
+    const Triangulation triangulation = triangulate(all.position, all.normal.empty() ? nullptr : &all.normal,
+                                                    result.spacing, true, parameters.triangulation, context);
+    result.front = triangulation.statistics;
+    makeLevelZero(triangulation, result);
+  });
+  const double begin = context.progress.fraction();
+  for (int level = 1; level <= parameters.refinement.levels; ++level) {
+    const double share = static_cast<double>(level) / parameters.refinement.levels;
+    stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin), [&] {
+      addLevel(result.points, surface, result.spacing, parameters.refinement, context, result.mesh);
+    });
+  }
+  stages.run("report", 1.0, [&] {
+    for (Index level = 0; level < result.mesh.levelCount(); ++level) {
+      result.reports.push_back(reportLevel(result.mesh, level));
+    }
+  });
+  return result;
+}
+
+}  // namespace mlsmesh::core
