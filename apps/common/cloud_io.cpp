@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/cloud_io.h"
+
+#include "common/app_error.h"
+#include "common/cloud_columns.h"
+#include "common/file_bytes.h"
+#include "common/header_check.h"
+#include "common/text_cloud.h"
+#include "common/vtk_io.h"
+
+#include <pcl/console/print.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <array>
+#include <new>
+
+namespace mlsmesh::apps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+AppError damaged(const fs::path& file, const std::string& format) {
+  return fileError(file.string(),
+                   "is not a whole " + format + " file (cut off or damaged); copy or write it again");
+}
+
+/// Runs one of PCL's readers, which tell of trouble by a negative result or by an exception.
+template <class Read>
+void readWithPcl(const fs::path& file, const std::string& format, const Read& read) {
+  int result = -1;
+  try {
+    result = read();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    throw damaged(file, format);
+  }
+  if (result < 0) throw damaged(file, format);
+}
+
+void readPcd(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+  checkPcdHeader(file);
+  readWithPcl(file, "PCD", [&] { return pcl::PCDReader().read(file.string(), cloud); });
+}
+
+void readPly(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+  const std::size_t announced = checkPlyHeader(file);
+  readWithPcl(file, "PLY", [&] { return pcl::PLYReader().read(file.string(), cloud); });
+  if (pointCount(cloud) != announced) throw damaged(file, "PLY");
+}
+
+void readXyzFile(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+  readXyz(readBytes(file), file.string(), cloud);
+}
+void readObjFile(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+  readObj(readBytes(file), file.string(), cloud);
+}
+
+struct Format {
+  const char* extension;
+  void (*read)(const fs::path& file, pcl::PCLPointCloud2& cloud);
+};
+
+constexpr std::array<Format, 9> kFormats = {{{"pcd", readPcd},
+                                             {"ply", readPly},
+                                             {"obj", readObjFile},
+                                             {"vtk", readVtk},
+                                             {"vtp", readVtp},
+                                             {"xyz", readXyzFile},
+                                             {"txt", readXyzFile},
+                                             {"pts", readXyzFile},
+                                             {"asc", readXyzFile}}};
+
+const Format& formatOf(const fs::path& file) {
+  const std::string extension = extensionOf(file);
+  for (const Format& format : kFormats) {
+    if (extension == format.extension) return format;
+  }
+  throw AppError(kExitUsage, file.string() + ": cannot read files of type '" + extension + "'; use one of " +
+                                 readableFormats());
+}
+
+void checkPoints(const fs::path& file, const pcl::PCLPointCloud2& cloud) {
+  for (const char* axis : {"x", "y", "z"}) {
+    const pcl::PCLPointField* field = findField(cloud, axis);
+    if (field == nullptr || sizeOfType(field->datatype) == 0) {
+      throw fileError(file.string(), std::string("its points have no field '") + axis +
+                                         "'; give a cloud with the fields x, y and z");
+    }
+  }
+  if (pointCount(cloud) == 0) throw fileError(file.string(), "holds no points; give a file with points");
+  if (cloud.data.size() < pointCount(cloud) * cloud.point_step) throw damaged(file, "point cloud");
+}
+
+}  // namespace
+
+std::string readableFormats() {
+  std::string list;
+  for (const Format& format : kFormats) list += std::string(list.empty() ? "" : ", ") + format.extension;
+  return list;
+}
+
+void checkReadableFormat(const fs::path& file) {
+  formatOf(file);
+}
+
+void readCloud(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+  const Format& format = formatOf(file);
+  checkReadable(file);
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  cloud = pcl::PCLPointCloud2();
+  format.read(file, cloud);
+  checkPoints(file, cloud);
+}
+
+}  // namespace mlsmesh::apps

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/options.h"
+
+#include "common/app_error.h"
+#include "common/cloud_io.h"
+#include "common/config_file.h"
+#include "common/mesh_io.h"
+#include "common/name_match.h"
+#include "common/parameter_help.h"
+#include "common/parameter_table.h"
+#include "mlsmesh/version.h"
+
+#include <boost/program_options.hpp>
+
+#include <set>
+#include <sstream>
+
+namespace mlsmesh::apps {
+
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr int kMostThreads = 1024;
+
+/// One value for one name, from a config file (`place` = "FILE:LINE: ") or the command line (`place` empty).
+struct Setting {
+  std::string name;
+  std::string value;
+  std::string place;
+};
+
+AppError usage(const std::string& place, const std::string& what) {
+  return {kExitUsage, place + what + (place.empty() ? "; see --help" : "")};
+}
+
+po::options_description visibleOptions() {
+  po::options_description options("Options");
+  options.add_options()("levels", po::value<std::string>()->value_name("N"),
+                        "refinement steps (refinement.levels), default 2; there is one mesh more than steps")(
+      "all-levels", "also write the mesh of every level: OUTPUT's stem with .L0, .L1, ...")(
+      "no-reduction", "triangulate the input points themselves (reduce = false)")(
+      "preset", po::value<std::string>()->value_name("NAME"), "default, paper or printed")(
+      "config", po::value<std::string>()->value_name("FILE"),
+      "read 'name = value' lines; what the command line says wins over the file")(
+      "threads", po::value<std::string>()->value_name("N"),
+      "threads, default 0 = all; the result is the same")(
+      "json", po::value<std::string>()->value_name("FILE"), "write counts, times and memory as JSON")(
+      "quiet", "print nothing but warnings and errors")(
+      "list-parameters", po::value<std::string>()->implicit_value("text")->value_name("FORMAT"),
+      "print all parameters as text, markdown or config (a config file), and end")(
+      "help,h", "print this help and end")("version", "print the version and end");
+  return options;
+}
+
+po::options_description allOptions() {
+  po::options_description options = visibleOptions();
+  options.add_options()("input", po::value<std::string>(), "")("output", po::value<std::string>(), "");
+  for (const Parameter& parameter : parameterTable()) {
+    options.add_options()(parameter.name.c_str(), po::value<std::string>(), parameter.help.c_str());
+  }
+  return options;
+}
+
+std::string helpText() {
+  std::ostringstream text;
+  text << "Usage: " << kProgram << " INPUT OUTPUT [options]\n\n"
+       << "Reconstructs the surface that the points of INPUT lie on as an oriented manifold mesh in levels "
+          "of rising\n"
+       << "resolution, and writes the finest level to OUTPUT.\n"
+       << "INPUT: " << readableFormats() << "; OUTPUT: " << writableMeshFormats() << " (by extension).\n\n"
+       << visibleOptions()
+       << "\nParameters (lengths in multiples of spacing; also in config files as 'name = value'):\n"
+       << parameterHelp()
+       << "\nOptions can be written --name value, --name=value or, as in PCL's tools, -name value.\n"
+       << "Exit codes: 0 done, 1 input, output or computation failed, 2 wrong usage, 130 interrupted.\n";
+  return text.str();
+}
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(name, names);
+  return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
+}
+
+std::vector<std::string> optionNames() {
+  std::vector<std::string> names;
+  for (const auto& option : allOptions().options()) names.push_back(option->long_name());
+  return names;
+}
+
+std::vector<std::string> configNames() {
+  std::vector<std::string> names = {"preset", "levels", "threads", "all-levels", "no-reduction"};
+  for (const Parameter& parameter : parameterTable()) names.push_back(parameter.name);
+  return names;
+}
+
+po::variables_map parseCommandLine(int argc, const char* const* argv) {
+  namespace style = po::command_line_style;
+  constexpr int kStyle = style::allow_long | style::long_allow_adjacent | style::long_allow_next |
+                         style::allow_long_disguise | style::allow_short | style::allow_dash_for_short |
+                         style::short_allow_next;
+  const po::options_description options = allOptions();
+  po::positional_options_description positions;
+  positions.add("input", 1).add("output", 1);
+  po::variables_map values;
+  try {
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positions).style(kStyle).run(),
+              values);
+  } catch (const po::unknown_option& error) {
+    const std::string name = error.get_option_name();
+    const std::size_t first = name.find_first_not_of('-');
+    throw usage("", "unknown option '" + name + "'" +
+                        suggestion(name.substr(first == std::string::npos ? 0 : first), optionNames()));
+  } catch (const po::too_many_positional_options_error&) {
+    throw usage("", "more than two file names; give one INPUT and one OUTPUT");
+  } catch (const po::error& error) {
+    throw usage("", error.what());
+  }
+  return values;
+}
+
+bool readFlag(const Setting& setting) {
+  bool value = false;
+  if (!booleanFromText(setting.value, value)) {
+    throw usage(setting.place,
+                "'" + setting.name + "' cannot be '" + setting.value + "'; allowed: true or false");
+  }
+  return value;
+}
+
+int readThreads(const Setting& setting) {
+  const std::string& text = setting.value;
+  const bool digits =
+      !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+  const int value = digits ? std::stoi(text) : -1;
+  if (value < 0 || value > kMostThreads) {
+    throw usage(setting.place,
+                "'threads' cannot be '" + text + "'; allowed: a whole number, 0 .. 1024 (0 = all)");
+  }
+  return value;
+}
+
+/// False if there is nothing of that name.
+bool apply(const Setting& setting, Options& options) {
+  if (setting.name == "threads") {
+    options.threads = readThreads(setting);
+  } else if (setting.name == "all-levels") {
+    options.all_levels = readFlag(setting);
+  } else if (setting.name == "no-reduction") {
+    options.parameters.reduce = !readFlag(setting);
+  } else if (const Parameter* parameter = findParameter(setting.name)) {
+    try {
+      setFromText(*parameter, setting.value, options.parameters);
+    } catch (const ParameterError& error) {
+      throw usage(setting.place, error.what());
+    }
+  } else {
+    return setting.name == "preset";
+  }
+  return true;
+}
+
+/// What one setting changes, so that two names of one thing cannot contradict each other.
+std::string subjectOf(const std::string& name) {
+  if (name == "no-reduction") return "reduce";
+  const Parameter* parameter = findParameter(name);
+  return parameter ? parameter->name : name;
+}
+
+void applyAll(const std::vector<Setting>& settings, Options& options) {
+  std::set<std::string> subjects;
+  for (const Setting& setting : settings) {
+    if (!apply(setting, options)) {
+      throw usage(setting.place,
+                  "unknown name '" + setting.name + "'" + suggestion(setting.name, configNames()));
+    }
+    if (!subjects.insert(subjectOf(setting.name)).second) {
+      throw usage(setting.place, "'" + setting.name + "' sets what was set before; keep one");
+    }
+  }
+}
+
+void choosePreset(const std::vector<Setting>& settings, Options& options) {
+  for (const Setting& setting : settings) {
+    if (setting.name != "preset") continue;
+    const Preset* preset = findPreset(setting.value);
+    if (preset == nullptr) {
+      throw usage(setting.place,
+                  "unknown preset '" + setting.value + "'; allowed: default, paper or printed");
+    }
+    options.preset = preset->name;
+    options.parameters = preset->make();
+  }
+}
+
+std::vector<Setting> configSettings(const std::filesystem::path& file) {
+  std::vector<Setting> settings;
+  for (const ConfigEntry& entry : readConfigFile(file)) {
+    settings.push_back({entry.key, entry.value, entry.place + ": "});
+  }
+  return settings;
+}
+
+/// Options that say what to do; the others are settings.
+bool isRequest(const std::string& name) {
+  static const std::set<std::string> kRequests = {"input", "output", "config",          "json",
+                                                  "quiet", "help",   "list-parameters", "version"};
+  return kRequests.count(name) != 0;
+}
+
+std::vector<Setting> commandLineSettings(const po::variables_map& values) {
+  std::vector<Setting> settings;
+  for (const auto& [name, value] : values) {
+    if (!isRequest(name)) settings.push_back({name, value.empty() ? "true" : value.as<std::string>(), ""});
+  }
+  return settings;
+}
+
+std::string textOf(const po::variables_map& values, const std::string& name) {
+  return values.count(name) ? values[name].as<std::string>() : std::string();
+}
+
+std::string parameterList(const std::string& format, const MultiresolutionParameters& parameters) {
+  if (format == "text") return parameterHelp();
+  if (format == "markdown") return parameterMarkdown();
+  if (format == "config") return parameterConfig(parameters);
+  throw usage("", "unknown format '" + format + "' of --list-parameters; allowed: text, markdown or config");
+}
+
+void setFiles(const po::variables_map& values, Options& options) {
+  options.input = textOf(values, "input");
+  options.output = textOf(values, "output");
+  options.json = textOf(values, "json");
+  if (options.input.empty())
+    throw usage("", "no INPUT and no OUTPUT given; name a point cloud and a mesh to write");
+  if (options.output.empty())
+    throw usage("", "no OUTPUT given; name the mesh to write, for example mesh.ply");
+  if (values.count("json") && options.json.empty()) throw usage("", "--json needs the name of a file");
+  checkReadableFormat(options.input);
+  checkWritableMeshFormat(options.output);
+}
+
+}  // namespace
+
+Options parseOptions(int argc, const char* const* argv) {
+  const po::variables_map values = parseCommandLine(argc, argv);
+  Options options;
+  options.quiet = values.count("quiet") != 0;
+  options.config = textOf(values, "config");
+  const std::vector<Setting> from_file =
+      values.count("config") ? configSettings(options.config) : std::vector<Setting>();
+  const std::vector<Setting> from_user = commandLineSettings(values);
+  choosePreset(from_file, options);
+  choosePreset(from_user, options);
+  applyAll(from_file, options);
+  applyAll(from_user, options);
+  if (values.count("help"))
+    options.text = helpText();
+  else if (values.count("version"))
+    options.text = std::string(kProgram) + " " + MLSMESH_VERSION + "\n";
+  else if (values.count("list-parameters"))
+    options.text = parameterList(textOf(values, "list-parameters"), options.parameters);
+  if (options.text.empty())
+    setFiles(values, options);
+  else
+    options.action = Action::Print;
+  return options;
+}
+
+}  // namespace mlsmesh::apps

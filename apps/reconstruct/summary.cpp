@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconstruct/summary.h"
+
+#include "common/parameter_table.h"
+#include "mlsmesh/version.h"
+
+#include <sys/resource.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+namespace mlsmesh::apps {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 6> kKindNames = {"projected", "lower_degree", "input_point",
+                                                   "clamped",   "fold_guarded", "border"};
+
+Json parameterJson(const MultiresolutionParameters& parameters) {
+  Json json;
+  for (const Parameter& parameter : parameterTable()) {
+    const double value = parameter.get(parameters);
+    switch (parameter.kind) {
+      case ParameterKind::Whole:
+        json[parameter.name] = static_cast<int>(value);
+        break;
+      case ParameterKind::Real:
+        json[parameter.name] = value;
+        break;
+      case ParameterKind::Boolean:
+        json[parameter.name] = value != 0;
+        break;
+      case ParameterKind::Choice:
+        json[parameter.name] = valueText(parameter, parameters);
+        break;
+    }
+  }
+  return json;
+}
+
+/// How the vertices of a level came about.
+Json kindJson(const core::RefinedMesh& mesh, core::Index level) {
+  std::array<int, kKindNames.size()> counts = {};
+  for (core::Index v = 0; v < mesh.level_vertices[level]; ++v)
+    ++counts[static_cast<std::size_t>(mesh.kind[v])];
+  Json json;
+  for (std::size_t kind = 0; kind < counts.size(); ++kind) json[kKindNames[kind]] = counts[kind];
+  return json;
+}
+
+Json levelJson(const RunReport& report, core::Index level) {
+  const MeshReport& mesh = report.result.reports[level];
+  Json json;
+  json["level"] = level;
+  json["file"] = report.level_files[level].empty() ? Json() : Json(report.level_files[level]);
+  json["vertices"] = mesh.vertices;
+  json["triangles"] = mesh.triangles;
+  json["components"] = mesh.components;
+  json["border_loops"] = mesh.border_loops;
+  json["border_edges"] = mesh.border_edges;
+  json["genus"] = mesh.genus ? Json(*mesh.genus) : Json();
+  json["euler"] = mesh.euler;
+  json["nonmanifold_edges"] = mesh.nonmanifold_edges;
+  json["nonmanifold_vertices"] = mesh.nonmanifold_vertices;
+  json["orientation_conflicts"] = mesh.orientation_conflicts;
+  json["degenerate_faces"] = mesh.degenerate_faces;
+  json["duplicate_faces"] = mesh.duplicate_faces;
+  json["isolated_vertices"] = mesh.isolated_vertices;
+  json["vertex_kinds"] = kindJson(report.result.mesh, level);
+  return json;
+}
+
+Json inputJson(const Options& options, const RunReport& report) {
+  const core::PointSet& points = report.result.points;
+  Json json;
+  json["file"] = options.input.string();
+  json["points"] = report.input_points;
+  json["used"] = points.size();
+  json["non_finite"] = points.non_finite;
+  json["duplicates"] = points.duplicates;
+  json["spacing"] = report.result.spacing;
+  return json;
+}
+
+double totalSeconds(const std::vector<core::StageTime>& stages) {
+  double sum = 0;
+  for (const core::StageTime& stage : stages) sum += stage.seconds;
+  return sum;
+}
+
+std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+std::string formatted(const char* format, ...) {
+  std::array<char, 256> line = {};
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(line.data(), line.size(), format, values);
+  va_end(values);
+  return line.data();
+}
+
+std::string levelRow(const RunReport& report, core::Index level) {
+  const MeshReport& mesh = report.result.reports[level];
+  const std::string genus = mesh.genus ? std::to_string(*mesh.genus) : "-";
+  std::string row = formatted("%5d %10d %10d %11d %13d %6s", level, mesh.vertices, mesh.triangles,
+                              mesh.components, mesh.border_loops, genus.c_str());
+  if (!report.level_files[level].empty()) row += "  " + report.level_files[level];
+  return row + "\n";
+}
+
+}  // namespace
+
+std::uint64_t peakMemoryBytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string jsonText(const Options& options, const RunReport& report) {
+  Json json;
+  json["program"] = kProgram;
+  json["version"] = MLSMESH_VERSION;
+  json["input"] = inputJson(options, report);
+  json["output"] = options.output.string();
+  json["preset"] = options.preset;
+  json["parameters"] = parameterJson(options.parameters);
+  json["threads"] = options.threads;
+  json["representatives"] = report.result.representatives.size();
+  json["stages"] = Json::array();
+  for (const core::StageTime& stage : report.stages) {
+    json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  }
+  json["levels"] = Json::array();
+  for (core::Index level = 0; level < report.result.mesh.levelCount(); ++level) {
+    json["levels"].push_back(levelJson(report, level));
+  }
+  json["warnings"] = report.warnings;
+  json["peak_rss_bytes"] = peakMemoryBytes();
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summaryText(const Options& options, const RunReport& report) {
+  const core::PointSet& points = report.result.points;
+  std::string text = options.input.string() + ": " + std::to_string(report.input_points) + " points";
+  text += formatted(", %d used (%d not finite, %d duplicates), spacing %.6g", points.size(),
+                    points.non_finite, points.duplicates, report.result.spacing);
+  text += formatted(", %d representatives\n\n", report.result.representatives.size());
+  text += formatted("%-16s %9s\n", "stage", "seconds");
+  for (const core::StageTime& stage : report.stages) {
+    text += formatted("%-16s %9.3f\n", stage.name.c_str(), stage.seconds);
+  }
+  text += formatted("%-16s %9.3f\n\n", "total", totalSeconds(report.stages));
+  text += formatted("%5s %10s %10s %11s %13s %6s  %s\n", "level", "vertices", "triangles", "components",
+                    "border loops", "genus", "file");
+  for (core::Index level = 0; level < report.result.mesh.levelCount(); ++level)
+    text += levelRow(report, level);
+  text += formatted("\npeak memory %.0f MB\n", static_cast<double>(peakMemoryBytes()) / (1024 * 1024));
+  return text;
+}
+
+}  // namespace mlsmesh::apps
