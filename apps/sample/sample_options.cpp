@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sample/sample_options.h"
 
-#include <boost/program_options.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
 
-#include "common/app_error.h"
+#include "common/command_line.h"
 #include "common/parameter_table.h"
 #include "sample/scan_file.h"
 
@@ -18,10 +17,6 @@ namespace po = boost::program_options;
 
 constexpr double kMaxCount = 2e9;
 constexpr double kMaxViews = 10000;
-
-AppError usageError(const std::string& culprit, const std::string& what_and_remedy) {
-  return {kExitUsage, culprit + ": " + what_and_remedy};
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -54,30 +49,7 @@ po::variables_map parse(int argc, const char* const* argv) {
   all.add_options()("shape", po::value<std::string>())("output", po::value<std::string>());
   po::positional_options_description positions;
   positions.add("shape", 1).add("output", 1);
-  namespace style = po::command_line_style;
-  const int manner = (style::unix_style | style::allow_long_disguise) & ~style::allow_guessing;
-  po::variables_map values;
-  try {
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positions).style(manner).run(),
-              values);
-  } catch (const po::too_many_positional_options_error&) {
-    throw usageError("arguments", "more than SHAPE and OUTPUT; see --help");
-  } catch (const po::error_with_option_name& error) {
-    throw usageError(error.get_option_name(), std::string(error.what()) + "; see --help");
-  } catch (const po::error& error) {
-    throw usageError("arguments", std::string(error.what()) + "; see --help");
-  }
-  return values;
-}
-
-double numberFromText(const std::string& option, const std::string& text) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double value = 0.0;
-  if (!(stream >> value) || !stream.eof() || !std::isfinite(value)) {
-    throw usageError(option, "'" + text + "' is not a number; give one such as 0.01");
-  }
-  return value;
+  return parseCommandLine(argc, argv, all, positions);
 }
 
 /// The number given for an option, or `otherwise`; throws unless it is within low .. high.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mlsmesh::apps {
+
+/// What the command line of mlsmesh_view asks for.
+struct ViewOptions {
+  bool help = false;     ///< nothing but the help text
+  bool version = false;  ///< nothing but the version
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path screenshot;  ///< empty: a window
+  std::array<int, 2> size{0, 0};     ///< pixels; 0: by the number of files
+  std::array<double, 3> from{};      ///< direction from the middle of the scene to the camera
+  std::array<double, 3> up{};
+  double zoom = 1.0;
+  bool edges = false;
+  bool wireframe = false;
+  bool borders = false;
+  bool labels = true;
+};
+
+/// Throws AppError (kExitUsage) that names the option or argument at fault and what is allowed.
+ViewOptions readViewOptions(int argc, const char* const* argv);
+
+std::string viewHelp();
+
+}  // namespace mlsmesh::apps
