@@ -96,7 +96,8 @@ Box boundingBox(const std::vector<Vec3>& world, const std::vector<Index>& inputs
   return box;
 }
 
-/// The centre with few bits, so that taking it off and putting it back is exact wherever doubles allow it.
+/// The centre with few bits, so that taking it off and putting it back is exact wherever doubles allow it;
+/// never -0, so that stored() gives none either.
 Vec3 roundedOrigin(const Box& box) {
   const Vec3 center = box.center();
   return center.unaryExpr([](double c) {
@@ -234,11 +235,9 @@ PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const 
   checkExtent(box);
   set.origin = roundedOrigin(box);
 
-  const Vec3 no_negative_zero = Vec3::Zero();
   std::vector<Vec3> local(world.size());
   parallelBlocks(context, world.size(), kBlock, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      local[i] = set.stored(world[i] - set.origin) + no_negative_zero;
+    for (std::size_t i = first; i < last; ++i) local[i] = set.stored(world[i] - set.origin);
   });
   keepDistinct(local, sortedEntries(local, inputs, MortonCells(box, set.origin), context), set);
   checkShape(set, given, box);

@@ -123,10 +123,16 @@ TEST(PointSet, HoldsEachPositionOnce) {
 }
 
 TEST(PointSet, WritesZeroWithoutASign) {
-  const PointSet set = makeSet({{-0.0, -0.0, 1}, {-0.0, 0.0, -1}, {-1, -1, -0.0}, {1, 1, -0.0}});
-  for (const Vec3& p : set.position)
-    for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(p[axis] == 0 && std::signbit(p[axis]));
-  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(std::signbit(set.origin[axis]));
+  const Points around_zero = {{-0.0, -0.0, 1}, {-0.0, 0.0, -1}, {-1, -1, -0.0}, {1, 1, -0.0}};
+  const Points at_minus_zero = {{1, 0, -0.0}, {0, 1, -0.0}, {-1, -1, -0.0}};
+  const auto has_minus_zero = [](const Vec3& p) {
+    return (p.array() == 0 && p.array().unaryExpr([](double x) { return std::signbit(x); })).any();
+  };
+  for (const Points& world : {around_zero, at_minus_zero}) {
+    const PointSet set = makeSet(world);
+    EXPECT_TRUE(std::none_of(set.position.begin(), set.position.end(), has_minus_zero));
+    EXPECT_FALSE(has_minus_zero(set.origin));
+  }
 }
 
 TEST(PointSet, FollowsMortonsCurve) {
@@ -170,8 +176,11 @@ TEST(PointSet, KeepsDoublesApartThatFloatsCannotTell) {
 }
 
 TEST(PointSet, OriginIsAFloat) {
-  const PointSet set = makeSet(randomCloud(100, 3));
+  const Vec3 low = asFloats({1e-5, 0.3, 7.1}), high = asFloats({0.9, 1.7, 123.4});
+  ASSERT_NE(0.5 * (low + high), asFloats(0.5 * (low + high)));
+  const PointSet set = makeSet({low, high, {low.x(), high.y(), low.z()}});
   EXPECT_EQ(set.origin, asFloats(set.origin));
+  EXPECT_LT((set.origin - 0.5 * (low + high)).norm(), 1e-5) << "and near the centre of the bounding box";
 }
 
 TEST(PointSet, TakesTheWholeRangeOfFloats) {
