@@ -175,11 +175,16 @@ void addTriangulation(std::vector<Parameter>& table) {
       .symbol = "epsilon_1";
   rows.add("overlap_test", &Step::overlap_test, {"all_corners", "apex_star"},
            "test a new triangle against the mesh at all its corners, or at its apex only");
-  rows.add("fill_small_loops", &Step::fill_small_loops, "close border loops within both of the next limits");
+  rows.add("fill_small_loops", &Step::fill_small_loops, "close border loops within the next limits");
   rows.add("fill_max_edges", &Step::fill_max_edges, Limits{3, 64, false},
            "edges of the largest loop that is filled");
   rows.add("fill_max_perimeter", &Step::fill_max_perimeter, kPositive,
-           "perimeter of the largest loop that is filled, in spacings of the input");
+           "perimeter of the largest loop that is filled, in spacings of the cloud");
+  rows.add("fill_supported_edges", &Step::fill_supported_edges, Limits{0, 64, false},
+           "edges of the largest loop that is filled where the cloud supports every triangle of the fill");
+  rows.add("support_reach", &Step::support_reach, kNotNegative,
+           "over representatives, a triangle needs points of the cloud within so many local spacings; 0 = no "
+           "test");
 }
 
 void addRefinement(std::vector<Parameter>& table) {

@@ -73,10 +73,11 @@ class AdvancingFrontTriangulation : public detail::Step<pcl::MeshConstruction<Po
     const core::PointSet points = this->preparePoints(detail::storedAs<PointInT>(), context);
     context.progress.enterStage("search", 0.1);
     const auto search = makeSearch<PointInT>(points, this->tree_, context);
-    const double spacing = core::medianSpacing(points.position, *search, context);
-    context.progress.enterStage("triangulation", 0.98);
-    const core::Triangulation result =
-        core::triangulate(points.position, nullptr, spacing, false, parameters_, context);
+    context.progress.enterStage("triangulation", 1.0);
+    core::TriangulationInput input{points.position};
+    input.search = search.get();
+    input.spacing = core::medianSpacing(points.position, *search, context);
+    const core::Triangulation result = core::triangulate(input, parameters_, context);
     std::vector<pcl::Vertices> polygons(result.triangles.size());
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       for (const core::Index corner : result.triangles[i])

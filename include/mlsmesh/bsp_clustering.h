@@ -40,7 +40,7 @@ class BspClustering : public detail::SearchingStep<pcl::PCLBase<PointT>> {
     this->run([&](core::Context& context) {
       core::check(parameters_);
       const core::PointSet points = this->preparePoints(core::StoredAs::Double, context);
-      context.progress.enterStage("clustering", 0.95);
+      context.progress.enterStage("clustering", 1.0);
       const core::IndexLists lists =
           inputIndices(points, core::clusterPoints(points.position, parameters_, context));
       std::vector<pcl::PointIndices> result(lists.count());

@@ -69,7 +69,7 @@ class MlsReduction : public detail::SearchingStep<pcl::CloudSurfaceProcessing<Po
       const core::PointSet points = this->preparePoints(detail::storedAs<PointOutT>(), context);
       core::IndexLists clusters = detail::clusterLists(points, clusters_, this->input_->size());
       const auto search = this->prepareSearch(points, context);
-      context.progress.enterStage("reduction", 0.95);
+      context.progress.enterStage("reduction", 1.0);
       const core::MlsSurface surface(points.position, *search, projection_);
       const core::Representatives representatives =
           core::reducePoints(points, surface, clusters, parameters_, context);

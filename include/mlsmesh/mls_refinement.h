@@ -94,7 +94,12 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
     const core::MlsSurface surface(points.position, *search, projection_);
     core::RefinedMesh mesh = detail::levelZero(input, points, surface, context);
     const double spacing = core::medianSpacing(points.position, *search, context);
-    core::refineMesh(points, surface, spacing, parameters_, context, mesh);
+    const double begin = context.progress.fraction();
+    for (int level = 1; level <= parameters_.levels; ++level) {
+      context.progress.enterStage("refinement " + std::to_string(level),
+                                  begin + (1 - begin) * level / parameters_.levels);
+      core::addLevel(points, surface, spacing, parameters_, context, mesh);
+    }
     origin_ = points.origin;
     makeVertices(input, points, mesh);
     return mesh;

@@ -2,9 +2,9 @@
 #pragma once
 
 // The parameters of every step. Lengths are multiples of spacing: "local spacing" ls is that of the place,
-// "spacing" that of the whole cloud (median distance of a point to its nearest other point). Symbols in [brackets]
-// are those of Mederos, Velho, de Figueiredo, SIBGRAPI 2003. Default, unit and range stand beside each member;
-// `check(parameters)` (core/parameter_check.h) names the first member that is out of range.
+// "spacing" that of the whole cloud (median distance of a point to its nearest other point). Symbols in
+// [brackets] are those of Mederos, Velho, de Figueiredo, SIBGRAPI 2003. Default, unit and range stand beside
+// each member; `check(parameters)` (core/parameter_check.h) names the first member that is out of range.
 
 namespace mlsmesh {
 
@@ -25,10 +25,10 @@ struct ClusteringParameters {
   SplitPlane split_plane = SplitPlane::LargestSpread;
   SplitRule split_rule = SplitRule::SizeOrVariation;
   double max_variation = 0.02;  ///< surface variation above which a cluster is split, 0 .. 1/3  [sigma_max]
-  int max_size = 11;            ///< points above which a cluster is split, >= 1  [n_max; n_min with SizeAndVariation]
-  int min_leaf = 3;             ///< a split leaves no side with fewer points, >= 1
-  /// A leaf that bridges parts which do not touch is cut at the longest edge of its minimum spanning tree where that is
-  /// longer than max_gap * the median edge; 0 = never, else > 1.
+  int max_size = 11;  ///< points above which a cluster is split, >= 1  [n_max; n_min with SizeAndVariation]
+  int min_leaf = 3;   ///< a split leaves no side with fewer points, >= 1
+  /// A leaf that bridges parts which do not touch is cut at the longest edge of its minimum spanning tree
+  /// where that is longer than max_gap * the median edge; 0 = never, else > 1.
   double max_gap = 8.0;
 };
 
@@ -50,14 +50,15 @@ struct ProjectionParameters {
   int degree = 2;      ///< of the bivariate polynomial, 0 .. 3
   ProjectionMethod method = ProjectionMethod::OneStep;
   SupportRule support_rule = SupportRule::LocalSpacing;
-  double support_factor = 1.5;  ///< of h, in the unit of the rule, > 0 (the paper's h = 3 d_1: 3 with NearestDistance)
-  double tolerance = 1e-6;      ///< Levin stops when the foot point moves less than this * local spacing, > 0
-  int max_iterations = 40;      ///< Levin gives up after so many rounds, 1 .. 1000
+  double support_factor =
+      1.5;  ///< of h, in the unit of the rule, > 0 (the paper's h = 3 d_1: 3 with NearestDistance)
+  double tolerance = 1e-6;  ///< Levin stops when the foot point moves less than this * local spacing, > 0
+  int max_iterations = 40;  ///< Levin gives up after so many rounds, 1 .. 1000
 };
 
 /// When a projected representative is refused.
 enum class ClampRule {
-  Guarded,     ///< farther from its start than half the cluster radius: lower degree, then nearest input point
+  Guarded,  ///< farther from its start than half the cluster radius: lower degree, then nearest input point
   FiniteOnly,  ///< only when it is not finite
 };
 
@@ -87,7 +88,8 @@ enum class CandidateRule {
 /// Longest edges a triangle may have.
 enum class LengthRule {
   LocalSpacing,     ///< length_factor * max(ls(u), ls(v))
-  NearestDistance,  ///< length_factor * min(d_u, d_v), d_x the distance of x to its nearest neighbour, as printed
+  NearestDistance,  ///< length_factor * min(d_u, d_v), d_x the distance of x to its nearest neighbour, as
+                    ///< printed
 };
 
 /// Which candidate of the narrowest admissible angle window is taken.
@@ -116,15 +118,20 @@ struct TriangulationParameters {
   LengthRule length_rule = LengthRule::LocalSpacing;
   double length_factor = 4.0;  ///< in the unit of the rule, > 0  [epsilon_1]
   OverlapTest overlap_test = OverlapTest::AllCorners;
-  bool fill_small_loops = true;     ///< close border loops within both of the next limits
-  int fill_max_edges = 6;           ///< edges of a loop that is filled, 3 .. 64
-  double fill_max_perimeter = 40.0; ///< of a loop that is filled, in spacings of the input, > 0
+  bool fill_small_loops = true;      ///< close border loops within the next limits
+  int fill_max_edges = 6;            ///< edges of a loop that is filled, 3 .. 64
+  double fill_max_perimeter = 50.0;  ///< of a loop that is filled, in (global) spacings of the cloud, > 0
+  int fill_supported_edges = 40;     ///< edges of a loop filled where the cloud supports it, 0 .. 64
+  /// Over representatives: a triangle needs a point of the cloud within so many local spacings of its
+  /// centroid and of the midpoints of its edges, so that openings stay open; 0 = no such test.
+  double support_reach = 2.0;
 };
 
 /// Which edges are split.
 enum class RefinementTest {
   Displacement,  ///< |<Psi(m) - m, n_m>| >= threshold * local spacing
-  MeanOffset,    ///< |alpha| >= threshold * spacing, alpha = mean of (p - m) . n_m, as printed (with the right sign)
+  MeanOffset,  ///< |alpha| >= threshold * spacing, alpha = mean of (p - m) . n_m, as printed (with the right
+               ///< sign)
 };
 
 /// How marked edges are split.
@@ -146,7 +153,7 @@ struct RefinementParameters {
   RefinementTest test = RefinementTest::Displacement;
   double threshold = 0.05;  ///< in the unit of the test, >= 0  [epsilon]
   SplitMode split_mode = SplitMode::Templates;
-  double min_edge_ratio = 0.1;  ///< shortest / longest edge below which a triangle is not divided, 0 .. 1
+  double min_edge_ratio = 0.1;    ///< shortest / longest edge below which a triangle is not divided, 0 .. 1
   double max_displacement = 0.5;  ///< of a new vertex from the midpoint, in edge lengths, > 0
   double border_displacement = 0.25;  ///< the same on border edges (along the surface normal only), >= 0
   bool fold_guard = true;             ///< pull a new vertex back where a child turns against its parent
@@ -157,8 +164,8 @@ struct RefinementParameters {
 
 /// All four steps.
 struct MultiresolutionParameters {
-  bool reduce = true;           ///< false: triangulate the input points themselves
-  int min_representatives = 50; ///< clusters shrink until there are so many, down to single points, >= 3
+  bool reduce = true;            ///< false: triangulate the input points themselves
+  int min_representatives = 50;  ///< clusters shrink until there are so many, down to single points, >= 3
   ClusteringParameters clustering;
   ProjectionParameters projection;  ///< one Psi for reduction and refinement
   ReductionParameters reduction;
@@ -166,8 +173,8 @@ struct MultiresolutionParameters {
   RefinementParameters refinement;
 };
 
-/// The presets `default`, `paper` (the method with the repairs it needs on real clouds) and `printed` (its criteria to
-/// the letter). docs/parameters.md lists where they differ.
+/// The presets `default`, `paper` (the method with the repairs it needs on real clouds) and `printed` (its
+/// criteria to the letter). docs/parameters.md lists where they differ.
 MultiresolutionParameters defaultPreset();
 MultiresolutionParameters paperPreset();
 MultiresolutionParameters printedPreset();

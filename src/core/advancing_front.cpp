@@ -2,11 +2,12 @@
 // This work is based on:
 // - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
 //   SIBGRAPI 2003, section 2.3: the advancing front over k nearest neighbours.
-// - D. Boltcheva, B. Levy, "Surface reconstruction by computing restricted Voronoi cells in parallel", 2017, and
+// - D. Boltcheva, B. Levy, "Surface reconstruction by computing restricted Voronoi cells in parallel", 2017,
+// and
 //   U. Adamy, J. Giesen, M. John, 2002: most triangles come from local stars that agree (delaunay_stars.cpp).
-// - D. Cohen-Steiner, F. Da, 2004: a priority queue, and edges that are put off until their surroundings are settled.
-// Departures: the front starts from what the stars agree on and only closes what is left (2-8 % of the triangles); pinched
-// vertices are normal while it grows and are resolved at the end.
+// - D. Cohen-Steiner, F. Da, 2004: a priority queue, and edges that are put off until their surroundings are
+// settled. Departures: the front starts from what the stars agree on and only closes what is left (2-8 % of
+// the triangles); pinched vertices are normal while it grows and are resolved at the end.
 #include "mlsmesh/core/advancing_front.h"
 
 #include <algorithm>
@@ -24,10 +25,10 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr int kRetries = 8;            // times that one border edge may look for another apex
-constexpr int kSweeps = 4;             // rounds over all border edges after the queue has run dry
-constexpr int kFreeNeighbors = 6;      // a restart needs so many unused neighbours around each of its points
-constexpr Index kLeastIsland = 8;      // triangles of an island that may start a further component
+constexpr int kRetries = 8;        // times that one border edge may look for another apex
+constexpr int kSweeps = 4;         // rounds over all border edges after the queue has run dry
+constexpr int kFreeNeighbors = 6;  // a restart needs so many unused neighbours around each of its points
+constexpr Index kLeastIsland = 8;  // triangles of an island that may start a further component
 constexpr Index kLargestDroppedFan = 3;
 
 struct Entry {
@@ -44,9 +45,13 @@ struct Later {
 
 class Front {
  public:
-  Front(const FrontInput& input, const TriangulationParameters& parameters, const Context& context, HalfEdgeMesh& mesh,
-        FrontStatistics& statistics)
-      : input_(input), parameters_(parameters), context_(context), mesh_(mesh), rules_(input, mesh, parameters),
+  Front(const FrontInput& input, const TriangulationParameters& parameters, const Context& context,
+        HalfEdgeMesh& mesh, FrontStatistics& statistics)
+      : input_(input),
+        parameters_(parameters),
+        context_(context),
+        mesh_(mesh),
+        rules_(input, mesh, parameters),
         statistics_(statistics) {}
 
   /// Adds triangles that are known to be good; false for those that do not fit what is there.
@@ -129,16 +134,18 @@ class Front {
 bool isFree(const FrontInput& input, const HalfEdgeMesh& mesh, Index point) {
   if (mesh.isUsed(point)) return false;
   const Index* row = input.neighbors.row(point);
-  return std::none_of(row, row + std::min(kFreeNeighbors, input.neighbors.k), [&](Index q) { return mesh.isUsed(q); });
+  return std::none_of(row, row + std::min(kFreeNeighbors, input.neighbors.k),
+                      [&](Index q) { return mesh.isUsed(q); });
 }
 
 Vec3 normalOf(const FrontInput& input, const Triangle& t) {
   return unitNormal(input.points[t[0]], input.points[t[1]], input.points[t[2]]);
 }
 
-// Whether the triangles are turned against the mesh near them: the sign of the summed products of their normals with those
-// of the mesh at neighbouring points.
-bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh, const std::vector<Triangle>& triangles) {
+// Whether the triangles are turned against the mesh near them: the sign of the summed products of their
+// normals with those of the mesh at neighbouring points.
+bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh,
+                     const std::vector<Triangle>& triangles) {
   double agreement = 0;
   for (const Triangle& t : triangles) {
     const Vec3 normal = normalOf(input, t);
@@ -153,13 +160,14 @@ bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh, const st
   return agreement < 0;
 }
 
-void growFromIslands(const FrontInput& input, const Islands& islands, const TriangulationParameters& parameters,
-                     const HalfEdgeMesh& mesh, Front& front) {
+void growFromIslands(const FrontInput& input, const Islands& islands,
+                     const TriangulationParameters& parameters, const HalfEdgeMesh& mesh, Front& front) {
   for (Index i = 0; i < islands.count(); ++i) {
     std::vector<Triangle> usable;
     for (Index t = islands.begin[i]; t < islands.begin[i + 1]; ++t) {
       const Triangle& corners = islands.triangles[t];
-      if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return isFree(input, mesh, v); })) {
+      if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return isFree(input, mesh, v); }) &&
+          input.support.supports(corners)) {
         usable.push_back(corners);
       }
     }
@@ -195,8 +203,8 @@ Triangle seedAt(const FrontInput& input, Index p, double length_limit) {
   return best;
 }
 
-void growFromSingleTriangles(const FrontInput& input, const TriangulationParameters& parameters, HalfEdgeMesh& mesh,
-                             Front& front) {
+void growFromSingleTriangles(const FrontInput& input, const TriangulationParameters& parameters,
+                             HalfEdgeMesh& mesh, Front& front) {
   const FrontRules rules(input, mesh, parameters);
   for (Index p = 0; p < mesh.vertexCount(); ++p) {
     if (!isFree(input, mesh, p)) continue;
@@ -208,7 +216,8 @@ void growFromSingleTriangles(const FrontInput& input, const TriangulationParamet
   }
 }
 
-// Turns every component so that the volume under it, seen from its own centroid, is positive: outward where it is closed.
+// Turns every component so that the volume under it, seen from its own centroid, is positive: outward where
+// it is closed.
 void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
   Index count = 0;
   const std::vector<Index> component = mesh.components(&count);
@@ -231,48 +240,66 @@ void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
   }
 }
 
-void closeLoops(const std::vector<Vec3>& points, double spacing, const TriangulationParameters& parameters,
-                HalfEdgeMesh& mesh, FrontStatistics& statistics) {
-  if (!parameters.fill_small_loops) return;
-  const FillCount filled =
-      fillLoops(mesh, points, {parameters.fill_max_edges, parameters.fill_max_perimeter * spacing});
+void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, HalfEdgeMesh& mesh,
+                FrontStatistics& statistics) {
+  const FillCount filled = fillLoops(mesh, points, limits);
   statistics.filled_loops += filled.loops;
   statistics.filled_triangles += filled.triangles;
 }
 
-}  // namespace
-
-Triangulation triangulate(const std::vector<Vec3>& points, const std::vector<Vec3>* normals, double spacing,
-                          bool may_split, const TriangulationParameters& parameters, const Context& context) {
-  const auto search = makeKdTree(points);
-  const NeighborTable neighbors = nearestOfAll(points, *search, parameters.neighbors, context);
-  const std::vector<double> local_spacing = localSpacings(points, neighbors, context);
-  const FrontInput input{points, neighbors, local_spacing};
-
-  Triangulation result;
-  HalfEdgeMesh mesh(static_cast<Index>(points.size()));
-  Front front(input, parameters, context, mesh, result.statistics);
+void growFronts(const FrontInput& input, const std::vector<Vec3>* normals,
+                const TriangulationParameters& parameters, const Context& context, HalfEdgeMesh& mesh,
+                FrontStatistics& statistics) {
+  Front front(input, parameters, context, mesh, statistics);
   if (parameters.seeds == SeedRule::AgreedStars) {
-    const std::vector<Vec3> own = normals ? std::vector<Vec3>() : tangentNormals(points, neighbors, context);
-    const StarRings stars =
-        localStars(points, normals ? *normals : own, neighbors, local_spacing, parameters.length_factor, context);
+    const std::vector<Vec3> own =
+        normals ? std::vector<Vec3>() : tangentNormals(input.points, input.neighbors, context);
+    const StarRings stars = localStars(input.points, normals ? *normals : own, input.neighbors, input.spacing,
+                                       parameters.length_factor, context);
     growFromIslands(input, agreedIslands(stars, context), parameters, mesh, front);
   }
   if (mesh.triangleCount() == 0) growFromSingleTriangles(input, parameters, mesh, front);
   if (mesh.triangleCount() == 0) {
-    throw Failure(StatusCode::NoTriangles, "no triangle fits the points; they may be too sparse or scattered");
+    throw Failure(StatusCode::NoTriangles,
+                  "no triangle fits the points; they may be too sparse or scattered");
   }
+}
 
-  std::vector<Index>* duplicates = may_split ? &result.duplicate_of : nullptr;
-  closeLoops(points, spacing, parameters, mesh, result.statistics);
-  const PinchCount pinches = resolvePinches(mesh, kLargestDroppedFan, duplicates);
+}  // namespace
+
+Triangulation triangulate(const TriangulationInput& input, const TriangulationParameters& parameters,
+                          const Context& context) {
+  std::vector<Vec3> points = input.points;
+  const auto own_search = input.search ? nullptr : makeKdTree(points);
+  const NeighborTable neighbors =
+      nearestOfAll(points, input.search ? *input.search : *own_search, parameters.neighbors, context);
+  const std::vector<double> spacing = localSpacings(points, neighbors, context);
+  std::vector<double> cloud_spacing = input.cloud_spacing ? *input.cloud_spacing : spacing;
+  const CloudSupport support =
+      input.cloud ? CloudSupport(points, cloud_spacing, *input.cloud, parameters.support_reach)
+                  : CloudSupport();
+  const FrontInput front_input{input.points, neighbors, spacing, support};
+
+  Triangulation result;
+  HalfEdgeMesh mesh(static_cast<Index>(points.size()));
+  growFronts(front_input, input.normals, parameters, context, mesh, result.statistics);
+
+  const FillLimits limits{parameters.fill_max_edges, parameters.fill_max_perimeter * input.spacing,
+                          parameters.fill_supported_edges, support};
+  if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
+  const PinchCount pinches =
+      resolvePinches(mesh, kLargestDroppedFan, input.may_split ? &result.duplicate_of : nullptr);
   result.statistics.dropped_triangles = pinches.dropped_triangles;
   result.statistics.split_vertices = pinches.split_vertices;
-  std::vector<Vec3> positions = points;
-  for (const Index original : result.duplicate_of) positions.push_back(points[original]);
-  closeLoops(positions, spacing, parameters, mesh, result.statistics);
-  orientOutward(positions, mesh);
-  for (Index p = 0; p < static_cast<Index>(points.size()); ++p) result.statistics.unused_points += !mesh.isUsed(p);
+  for (const Index original : result.duplicate_of) {
+    points.push_back(points[original]);
+    cloud_spacing.push_back(cloud_spacing[original]);
+  }
+  if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
+  orientOutward(points, mesh);
+  for (std::size_t p = 0; p < input.points.size(); ++p) {
+    result.statistics.unused_points += mesh.isUsed(static_cast<Index>(p)) ? 0 : 1;
+  }
   result.triangles = mesh.triangles();
   return result;
 }

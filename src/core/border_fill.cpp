@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // This work is based on:
-// - G. Barequet, M. Sharir, "Filling gaps in the boundary of a polyhedron", 1995: the triangulation of a loop by dynamic
+// - G. Barequet, M. Sharir, "Filling gaps in the boundary of a polyhedron", 1995: the triangulation of a loop
+// by dynamic
 //   programming.
 // - P. Liepa, "Filling holes in meshes", SGP 2003: its weight, worst dihedral angle first, then area.
 #include "border_fill.h"
@@ -58,7 +59,8 @@ class LoopFiller {
 
   bool isFree(int i, int j) const {
     const bool is_side = j - i == 1 || (i == 0 && j == size_ - 1);
-    return is_side || (mesh_.find(polygon_[i], polygon_[j]) == kNone && mesh_.find(polygon_[j], polygon_[i]) == kNone);
+    return is_side ||
+           (mesh_.find(polygon_[i], polygon_[j]) == kNone && mesh_.find(polygon_[j], polygon_[i]) == kNone);
   }
 
   // Bend between a fill triangle of this normal and whatever lies beyond its side (i, j), i < j.
@@ -77,7 +79,8 @@ class LoopFiller {
     if (!isFree(i, j)) return;
     for (int m = i + 1; m < j; ++m) {
       const Vec3 area = (at(m) - at(i)).cross(at(j) - at(i));
-      const double longest = std::max({(at(m) - at(i)).norm(), (at(j) - at(m)).norm(), (at(i) - at(j)).norm()});
+      const double longest =
+          std::max({(at(m) - at(i)).norm(), (at(j) - at(m)).norm(), (at(i) - at(j)).norm()});
       if (area.norm() <= kSliver * longest * longest) continue;
       const Weight& left = weight(i, m);
       const Weight& right = weight(m, j);
@@ -116,10 +119,17 @@ class LoopFiller {
   std::vector<int> middle_;
 };
 
-double perimeter(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Index>& loop) {
-  double length = 0;
-  for (const Index h : loop) length += (points[mesh.target(h)] - points[mesh.origin(h)]).norm();
-  return length;
+bool isSmall(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Index>& loop,
+             const FillLimits& limits) {
+  if (static_cast<int>(loop.size()) > limits.max_edges) return false;
+  double perimeter = 0;
+  for (const Index h : loop) perimeter += (points[mesh.target(h)] - points[mesh.origin(h)]).norm();
+  return perimeter <= limits.max_perimeter;
+}
+
+bool isSupported(const std::vector<Triangle>& fill, const CloudSupport& support) {
+  return support.testsAnything() &&
+         std::all_of(fill.begin(), fill.end(), [&](const Triangle& t) { return support.supports(t); });
 }
 
 }  // namespace
@@ -140,19 +150,22 @@ std::vector<std::vector<Index>> simpleLoops(const HalfEdgeMesh& mesh, const std:
   return parts;
 }
 
-std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Index>& loop) {
+std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
+                             const std::vector<Index>& loop) {
   return LoopFiller(mesh, points, loop).run();
 }
 
 FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits) {
-  constexpr std::size_t kSlack = 4;  // a loop may be longer than the limit before it is cut at repeated vertices
+  constexpr int kSlack = 4;  // a loop may be longer than the limit before it is cut at repeated vertices
+  const int most =
+      std::max(limits.max_edges, limits.support.testsAnything() ? limits.max_supported_edges : 0);
   FillCount count;
   for (const std::vector<Index>& walk : mesh.borderLoopEdges()) {
-    if (walk.size() > kSlack * static_cast<std::size_t>(limits.max_edges)) continue;
+    if (static_cast<int>(walk.size()) > kSlack * most) continue;
     for (const std::vector<Index>& loop : simpleLoops(mesh, walk)) {
-      if (static_cast<int>(loop.size()) > limits.max_edges) continue;
-      if (perimeter(mesh, points, loop) > limits.max_perimeter) continue;
+      if (static_cast<int>(loop.size()) > most) continue;
       const std::vector<Triangle> fill = fillOf(mesh, points, loop);
+      if (!isSmall(mesh, points, loop, limits) && !isSupported(fill, limits.support)) continue;
       for (const auto& [a, b, c] : fill) mesh.addTriangle(a, b, c);
       count.loops += fill.empty() ? 0 : 1;
       count.triangles += static_cast<Index>(fill.size());

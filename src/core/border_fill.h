@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cloud_support.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 
 namespace mlsmesh::core {
 
+/// A loop is filled if it has at most max_edges edges and a perimeter of at most max_perimeter (in the
+/// points' unit), or if it has at most max_supported_edges and the cloud supports every triangle of the fill.
 struct FillLimits {
   int max_edges = 6;
-  double max_perimeter = 0;  ///< in the points' unit
+  double max_perimeter = 0;
+  int max_supported_edges = 0;
+  const CloudSupport& support;
 };
 
 struct FillCount {
@@ -15,15 +20,18 @@ struct FillCount {
   Index triangles = 0;
 };
 
-/// Closes every border loop within both limits that a legal fill exists for: no edge of the mesh used twice, no triangle
-/// degenerate or bent back by more than 150 degrees. Loops that pass a vertex twice are cut there first. O(n^3) a loop.
+/// Closes every border loop within the limits that a legal fill exists for: no edge of the mesh used twice,
+/// no triangle degenerate or bent back by more than 150 degrees. Loops that pass a vertex twice are cut there
+/// first. O(n^3) a loop.
 FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits);
 
-/// Triangles that close the loop of these border half-edges (in walking order, each vertex once), or none. The fill has the
-/// smallest worst dihedral bend, of equals the smallest area.
-std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Index>& loop);
+/// Triangles that close the loop of these border half-edges (in walking order, each vertex once), or none.
+/// The fill has the smallest worst dihedral bend, of equals the smallest area.
+std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
+                             const std::vector<Index>& loop);
 
-/// Cuts a closed walk of border half-edges where it passes a vertex twice; each part passes its vertices once.
+/// Cuts a closed walk of border half-edges where it passes a vertex twice; each part passes its vertices
+/// once.
 std::vector<std::vector<Index>> simpleLoops(const HalfEdgeMesh& mesh, const std::vector<Index>& loop);
 
 }  // namespace mlsmesh::core

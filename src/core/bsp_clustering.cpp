@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // This work is based on:
-// - M. Pauly, M. Gross, L. P. Kobbelt, "Efficient simplification of point-sampled surfaces", Visualization 2002: the
+// - M. Pauly, M. Gross, L. P. Kobbelt, "Efficient simplification of point-sampled surfaces", Visualization
+// 2002: the
 //   hierarchical clustering by surface variation, split by the plane normal to v3.
 // - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
 //   SIBGRAPI 2003, section 2.1.
-// Departures: the printed split along the regression plane and the printed rule "and" are options; the first cuts slabs
-// through the whole model, the second leaves clusters of hundreds of points on flat parts. A cut that would leave fewer
-// than min_leaf points on a side moves inwards, and leaves that bridge a gap are cut at the gap.
+// Departures: the printed split along the regression plane and the printed rule "and" are options; the first
+// cuts slabs through the whole model, the second leaves clusters of hundreds of points on flat parts. A cut
+// that would leave fewer than min_leaf points on a side moves inwards, and leaves that bridge a gap are cut
+// at the gap.
 #include "mlsmesh/core/bsp_clustering.h"
 
 #include <Eigen/Eigenvalues>
@@ -22,8 +24,8 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr Index kTaskSize = 4096;   // subtrees below are worked off by one thread
-constexpr Index kMaxGapPoints = 32; // larger leaves (printed rules only) are not searched for gaps
+constexpr Index kTaskSize = 4096;    // subtrees below are worked off by one thread
+constexpr Index kMaxGapPoints = 32;  // larger leaves (printed rules only) are not searched for gaps
 
 struct Shape {
   Vec3 centroid;
@@ -35,7 +37,11 @@ struct Shape {
 class Splitter {
  public:
   Splitter(const std::vector<Vec3>& points, const ClusteringParameters& parameters, const Context& context)
-      : points_(points), parameters_(parameters), context_(context), order_(points.size()), starts_(points.size(), 0) {
+      : points_(points),
+        parameters_(parameters),
+        context_(context),
+        order_(points.size()),
+        starts_(points.size(), 0) {
     std::iota(order_.begin(), order_.end(), 0);
   }
 
@@ -72,7 +78,8 @@ class Splitter {
     const double total = values.sum();
     shape.is_point = !(total > 0);
     shape.variation = shape.is_point ? 0 : values[0] / total;
-    shape.split_normal = solver.eigenvectors().col(parameters_.split_plane == SplitPlane::LargestSpread ? 2 : 0);
+    shape.split_normal =
+        solver.eigenvectors().col(parameters_.split_plane == SplitPlane::LargestSpread ? 2 : 0);
     return shape;
   }
 
@@ -87,8 +94,8 @@ class Splitter {
     const auto side = [&](Index i) { return (points_[i] - shape.centroid).dot(shape.split_normal); };
     const auto begin = order_.begin() + first;
     const auto end = order_.begin() + last;
-    const Index middle =
-        static_cast<Index>(std::stable_partition(begin, end, [&](Index i) { return side(i) < 0; }) - order_.begin());
+    const Index middle = static_cast<Index>(
+        std::stable_partition(begin, end, [&](Index i) { return side(i) < 0; }) - order_.begin());
     const Index least = parameters_.min_leaf;
     if (middle - first >= least && last - middle >= least) return middle;
     if (last - first < 2 * least) return last;
@@ -122,7 +129,8 @@ class Splitter {
     }
   }
 
-  // Prim's minimum spanning tree over the few points of a leaf; cuts it at its longest edge if that stands out.
+  // Prim's minimum spanning tree over the few points of a leaf; cuts it at its longest edge if that stands
+  // out.
   void cutAtGap(Index first, Index last) {
     const Index count = last - first;
     if (parameters_.max_gap <= 0 || count < 3 || count > kMaxGapPoints) return;

@@ -3,11 +3,13 @@
 // - M. Gopi, S. Krishnan, C. T. Silva, "Surface reconstruction based on lower dimensional localized Delaunay
 //   triangulation", Eurographics 2000: stars in tangent planes.
 // - U. Adamy, J. Giesen, M. John, "Surface reconstruction using umbrella filters", 2002.
-// - D. Boltcheva, B. Levy, "Surface reconstruction by computing restricted Voronoi cells in parallel", 2017: cells by
+// - D. Boltcheva, B. Levy, "Surface reconstruction by computing restricted Voronoi cells in parallel", 2017:
+// cells by
 //   clipping, and the agreement of all three corners.
-// The bisectors take the distances in space, not in the plane: the cells are then those of a power diagram, on which
-// neighbouring points agree more often. Cocircular points (lattices, CAD grids) are ties, which every point would break
-// in its own way; a weight of 1e-5 squared spacings that depends on the point alone breaks them in the same way for all.
+// The bisectors take the distances in space, not in the plane: the cells are then those of a power diagram,
+// on which neighbouring points agree more often. Cocircular points (lattices, CAD grids) are ties, which
+// every point would break in its own way; a weight of 1e-5 squared spacings that depends on the point alone
+// breaks them in the same way for all.
 #include "delaunay_stars.h"
 
 #include <Eigen/Eigenvalues>
@@ -27,7 +29,8 @@ constexpr int kMaxCorners = 64;
 constexpr int kNormalNeighbors = 12;
 constexpr double kTieWeight = 1e-5;
 
-// A convex polygon round the origin; edge i runs from corner i to corner i + 1 and belongs to neighbour label[i].
+// A convex polygon round the origin; edge i runs from corner i to corner i + 1 and belongs to neighbour
+// label[i].
 struct Cell {
   std::array<Vec2, kMaxCorners> corner;
   std::array<Index, kMaxCorners> label;
@@ -85,9 +88,13 @@ double tieWeight(Index point, double spacing) {
 
 class StarBuilder {
  public:
-  StarBuilder(const std::vector<Vec3>& points, const std::vector<Vec3>& normals, const NeighborTable& neighbors,
-              const std::vector<double>& spacing, double length_factor)
-      : points_(points), normals_(normals), neighbors_(neighbors), spacing_(spacing), length_factor_(length_factor) {}
+  StarBuilder(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+              const NeighborTable& neighbors, const std::vector<double>& spacing, double length_factor)
+      : points_(points),
+        normals_(normals),
+        neighbors_(neighbors),
+        spacing_(spacing),
+        length_factor_(length_factor) {}
 
   void appendStar(Index p, std::vector<Index>& ring) const {
     const Vec3& normal = normals_[p];
@@ -145,7 +152,7 @@ Index slotOf(const StarRings& stars, Index point, Index a, Index b) {
 
 // Every slot of every ring gets the agreed triangle that it spans, or kNone.
 struct AgreedTriangles {
-  std::vector<Triangle> triangles;       // lowest corner first, counter-clockwise about that corner's normal
+  std::vector<Triangle> triangles;  // lowest corner first, counter-clockwise about that corner's normal
   std::vector<Index> of_slot;
 };
 
@@ -229,8 +236,9 @@ std::vector<Vec3> tangentNormals(const std::vector<Vec3>& points, const Neighbor
   return normals;
 }
 
-StarRings localStars(const std::vector<Vec3>& points, const std::vector<Vec3>& normals, const NeighborTable& neighbors,
-                     const std::vector<double>& spacing, double length_factor, const Context& context) {
+StarRings localStars(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+                     const NeighborTable& neighbors, const std::vector<double>& spacing, double length_factor,
+                     const Context& context) {
   constexpr std::size_t kBlock = 2048;
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Index>> items(blocks);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
-// approximation", SIBGRAPI 2003, section 2.4, and C. L. Lawson, "Software for C1 surface interpolation", 1977 (min-angle
-// flips). Departure: flips by length alone, as printed, fold the mesh; the default guards them and maximises the smallest
-// angle.
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution
+// surface approximation", SIBGRAPI 2003, section 2.4, and C. L. Lawson, "Software for C1 surface
+// interpolation", 1977 (min-angle flips). Departure: flips by length alone, as printed, fold the mesh; the
+// default guards them and maximises the smallest angle.
 #include "edge_flips.h"
 
 #include <algorithm>
@@ -48,10 +48,12 @@ bool isBetter(const Quad& q, FlipRule rule) {
   return after < before - kGain;
 }
 
-Vec3 normalBeyond(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index half_edge, const Vec3& otherwise) {
+Vec3 normalBeyond(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index half_edge,
+                  const Vec3& otherwise) {
   const Index g = mesh.twin(half_edge);
-  return g == kNone ? otherwise
-                    : unitNormal(position[mesh.origin(g)], position[mesh.target(g)], position[mesh.opposite(g)]);
+  return g == kNone
+             ? otherwise
+             : unitNormal(position[mesh.origin(g)], position[mesh.target(g)], position[mesh.opposite(g)]);
 }
 
 // Smallest cosine between the normals of the triangles on either side of the five edges of the quad.
@@ -59,7 +61,9 @@ bool bendsNoWorse(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, I
   const Index g = mesh.twin(h);
   const Vec3 uvw = unitNormal(q.u, q.v, q.w), vux = unitNormal(q.v, q.u, q.x);
   const Vec3 xwu = unitNormal(q.x, q.w, q.u), wxv = unitNormal(q.w, q.x, q.v);
-  const auto beyond = [&](Index half_edge, const Vec3& own) { return normalBeyond(mesh, position, half_edge, own); };
+  const auto beyond = [&](Index half_edge, const Vec3& own) {
+    return normalBeyond(mesh, position, half_edge, own);
+  };
   const Vec3 vw = beyond(HalfEdgeMesh::next(h), uvw), wu = beyond(HalfEdgeMesh::previous(h), uvw);
   const Vec3 ux = beyond(HalfEdgeMesh::next(g), vux), xv = beyond(HalfEdgeMesh::previous(g), vux);
   const double before = std::min({uvw.dot(vux), uvw.dot(vw), uvw.dot(wu), vux.dot(ux), vux.dot(xv)});
@@ -69,8 +73,11 @@ bool bendsNoWorse(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, I
 
 bool isConvexAndUpright(const Quad& q) {
   const Vec3 mean = (unitNormal(q.u, q.v, q.w) + unitNormal(q.v, q.u, q.x)).normalized();
-  const auto turnsLeft = [&](const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - b).dot(mean) > 0; };
-  if (!turnsLeft(q.u, q.x, q.v) || !turnsLeft(q.x, q.v, q.w) || !turnsLeft(q.v, q.w, q.u) || !turnsLeft(q.w, q.u, q.x)) {
+  const auto turnsLeft = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (b - a).cross(c - b).dot(mean) > 0;
+  };
+  if (!turnsLeft(q.u, q.x, q.v) || !turnsLeft(q.x, q.v, q.w) || !turnsLeft(q.v, q.w, q.u) ||
+      !turnsLeft(q.w, q.u, q.x)) {
     return false;
   }
   return unitNormal(q.x, q.w, q.u).dot(mean) >= kMayTurn && unitNormal(q.w, q.x, q.v).dot(mean) >= kMayTurn;
@@ -80,7 +87,8 @@ bool keepsFan(const HalfEdgeMesh& mesh, Index vertex) {
   return mesh.degree(vertex) > (mesh.isInterior(vertex) ? 3 : 1);
 }
 
-bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index h, const Quad& q, bool guard) {
+bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index h, const Quad& q,
+             bool guard) {
   if (isDegenerate(q.x, q.w, q.u) || isDegenerate(q.w, q.x, q.v)) return false;
   if (guard && (!isConvexAndUpright(q) || !bendsNoWorse(mesh, position, h, q))) return false;
   return keepsFan(mesh, mesh.origin(h)) && keepsFan(mesh, mesh.target(h));

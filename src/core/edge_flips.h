@@ -6,10 +6,10 @@
 
 namespace mlsmesh::core {
 
-/// Flips edges by the rule until none qualifies or ten rounds have passed; returns how many. Never makes a duplicate edge, a
-/// degenerate face or an interior vertex of fewer than three triangles. With `guard` also: the two triangles form a convex
-/// quad seen along their mean normal, neither new triangle turns more than 60 degrees from it, and the edge and the four
-/// around it are not bent worse than before (or 15 degrees).
+/// Flips edges by the rule until none qualifies or ten rounds have passed; returns how many. Never makes a
+/// duplicate edge, a degenerate face or an interior vertex of fewer than three triangles. With `guard` also:
+/// the two triangles form a convex quad seen along their mean normal, neither new triangle turns more than 60
+/// degrees from it, and the edge and the four around it are not bent worse than before (or 15 degrees).
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard);
 
 }  // namespace mlsmesh::core

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
-// approximation", SIBGRAPI 2003, section 2.4.
-// Departures: all marked edges of a triangle are split at once by template, which keeps children well shaped and does not
-// depend on an order; and a child that folds back pulls its new vertices in (a fold guard), because a projection near a
-// second sheet can turn a child over.
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution
+// surface approximation", SIBGRAPI 2003, section 2.4. Departures: all marked edges of a triangle are split at
+// once by template, which keeps children well shaped and does not depend on an order; and a child that folds
+// back pulls its new vertices in (a fold guard), because a projection near a second sheet can turn a child
+// over.
 #include "edge_split.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr double kDegenerate = 1e-9;  // twice the area over the squared longest edge
-constexpr int kOnMidpoint = 3;        // stages of a pulled vertex: 1/2, 1/4, 0 of its displacement, then unmarked
+constexpr int kOnMidpoint = 3;  // stages of a pulled vertex: 1/2, 1/4, 0 of its displacement, then unmarked
 constexpr int kUnmarked = 4;
 
 double squaredLongest(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -116,35 +116,40 @@ void pull(SplitEdge& edge, int stage, const Vec3& full, Rounding rounding) {
     return;
   }
   edge.kind = VertexKind::FoldGuarded;
-  edge.position = stage == kOnMidpoint ? edge.midpoint
-                                       : rounding.stored(edge.midpoint + kShare[stage] * (full - edge.midpoint));
+  edge.position = stage == kOnMidpoint
+                      ? edge.midpoint
+                      : rounding.stored(edge.midpoint + kShare[stage] * (full - edge.midpoint));
 }
 
 // Marks in `bad` the edges whose new vertices belong to a bad child.
 void findBad(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Index>& edge_of,
              const std::vector<SplitEdge>& edges, const ChildTest& test, const Context& context,
              std::vector<char>& bad_children) {
-  parallelBlocks(context, static_cast<std::size_t>(mesh.slotCount()), 1024, [&](std::size_t first, std::size_t last) {
-    std::vector<Triangle> children;
-    for (std::size_t t = first; t < last; ++t) {
-      const Template pattern(mesh, position, edge_of, edges, static_cast<Index>(t));
-      children.clear();
-      pattern.divide(children);
-      char bad = 0;
-      if (children.size() > 1) {
-        const Vec3 normal = pattern.parentNormal();
-        for (const Triangle& child : children) {
-          if (!test.isBad(pattern.at(child[0]), pattern.at(child[1]), pattern.at(child[2]), normal)) continue;
-          for (int i = 0; i < 3; ++i) bad = static_cast<char>(bad | (usesNew(child, pattern.edge(i)) << i));
+  parallelBlocks(
+      context, static_cast<std::size_t>(mesh.slotCount()), 1024, [&](std::size_t first, std::size_t last) {
+        std::vector<Triangle> children;
+        for (std::size_t t = first; t < last; ++t) {
+          const Template pattern(mesh, position, edge_of, edges, static_cast<Index>(t));
+          children.clear();
+          pattern.divide(children);
+          char bad = 0;
+          if (children.size() > 1) {
+            const Vec3 normal = pattern.parentNormal();
+            for (const Triangle& child : children) {
+              if (!test.isBad(pattern.at(child[0]), pattern.at(child[1]), pattern.at(child[2]), normal))
+                continue;
+              for (int i = 0; i < 3; ++i)
+                bad = static_cast<char>(bad | (usesNew(child, pattern.edge(i)) << i));
+            }
+          }
+          bad_children[t] = bad;
         }
-      }
-      bad_children[t] = bad;
-    }
-  });
+      });
 }
 
-void guardFolds(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Index>& edge_of,
-                const ChildTest& test, Rounding rounding, const Context& context, std::vector<SplitEdge>& edges) {
+void guardFolds(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
+                const std::vector<Index>& edge_of, const ChildTest& test, Rounding rounding,
+                const Context& context, std::vector<SplitEdge>& edges) {
   std::vector<char> bad_children(static_cast<std::size_t>(mesh.slotCount()));
   std::vector<char> stage(edges.size(), 0);
   std::vector<Vec3> full(edges.size());
@@ -173,8 +178,9 @@ double edgeRatio(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 std::vector<Triangle> splitByTemplates(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
-                                       const std::vector<Index>& edge_of, double fold_angle, Rounding rounding,
-                                       const Context& context, std::vector<SplitEdge>& edges) {
+                                       const std::vector<Index>& edge_of, double fold_angle,
+                                       Rounding rounding, const Context& context,
+                                       std::vector<SplitEdge>& edges) {
   guardFolds(mesh, position, edge_of, ChildTest(fold_angle), rounding, context, edges);
   std::vector<Index> number(edges.size());
   Index next = static_cast<Index>(position.size());
@@ -191,8 +197,9 @@ std::vector<Triangle> splitByTemplates(const HalfEdgeMesh& mesh, const std::vect
   return triangles;
 }
 
-std::vector<Triangle> splitOneByOne(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, double min_edge_ratio,
-                                    double fold_angle, Rounding rounding, std::vector<SplitEdge>& edges) {
+std::vector<Triangle> splitOneByOne(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
+                                    double min_edge_ratio, double fold_angle, Rounding rounding,
+                                    std::vector<SplitEdge>& edges) {
   HalfEdgeMesh work = mesh;
   std::vector<Vec3> at = position;
   const ChildTest test(fold_angle);
@@ -207,7 +214,8 @@ std::vector<Triangle> splitOneByOne(const HalfEdgeMesh& mesh, const std::vector<
     const Index u = mesh.origin(edge.half_edge), v = mesh.target(edge.half_edge);
     const Index sides[2] = {work.find(u, v), work.find(v, u)};
     const auto fits = [&] {
-      return std::all_of(sides, sides + 2, [&](Index h) { return h == kNone || mayDivide(h, edge.position); });
+      return std::all_of(sides, sides + 2,
+                         [&](Index h) { return h == kNone || mayDivide(h, edge.position); });
     };
     const Vec3 full = edge.position;
     int stage = 0;

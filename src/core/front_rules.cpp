@@ -2,10 +2,10 @@
 // This work is based on:
 // - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
 //   SIBGRAPI 2003, section 2.3 (GET_POINT), which is one parameter set of these rules.
-// - D. Cohen-Steiner, F. Da, "A greedy Delaunay-based surface reconstruction algorithm", 2004: order by radius and bend.
-// Departures (defaults): the narrowest window first picks far coplanar points before near bent ones, so windows are wide
-// and the bend is a penalty; edges are limited by the local spacing, because a multiple of the nearest distance stops at
-// every pair of near-duplicates.
+// - D. Cohen-Steiner, F. Da, "A greedy Delaunay-based surface reconstruction algorithm", 2004: order by
+// radius and bend. Departures (defaults): the narrowest window first picks far coplanar points before near
+// bent ones, so windows are wide and the bend is a penalty; edges are limited by the local spacing, because a
+// multiple of the nearest distance stops at every pair of near-duplicates.
 #include "front_rules.h"
 
 #include <Eigen/Geometry>
@@ -18,7 +18,8 @@ namespace mlsmesh::core {
 namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-constexpr double kSliver = 1e-6;  // twice the area over the squared longest edge, below which a triangle is none
+constexpr double kSliver =
+    1e-6;  // twice the area over the squared longest edge, below which a triangle is none
 
 double angleAt(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
@@ -34,7 +35,9 @@ double FrontRules::lengthLimit(Index u, Index v) const {
   if (parameters_.length_rule == LengthRule::LocalSpacing) {
     return parameters_.length_factor * std::max(input_.spacing[u], input_.spacing[v]);
   }
-  const auto nearest = [&](Index p) { return (input_.points[input_.neighbors.row(p)[0]] - input_.points[p]).norm(); };
+  const auto nearest = [&](Index p) {
+    return (input_.points[input_.neighbors.row(p)[0]] - input_.points[p]).norm();
+  };
   return parameters_.length_factor * std::min(nearest(u), nearest(v));
 }
 
@@ -94,7 +97,8 @@ Apex FrontRules::best(Index half_edge) const {
   for (const Candidate& candidate : candidates) {
     if (candidate.apex == previous) continue;
     previous = candidate.apex;
-    if (!overlaps(u, v, candidate.apex)) return {candidate.apex, candidate.score};
+    if (overlaps(u, v, candidate.apex) || !input_.support.supports({v, u, candidate.apex})) continue;
+    return {candidate.apex, candidate.score};
   }
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "cloud_support.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 #include "mlsmesh/core/neighbor_search.h"
 #include "mlsmesh/parameters.h"
@@ -12,6 +13,7 @@ struct FrontInput {
   const std::vector<Vec3>& points;
   const NeighborTable& neighbors;
   const std::vector<double>& spacing;  ///< local spacing ls of every point
+  const CloudSupport& support;
 };
 
 /// The apex of the next triangle on a border half-edge, kNone if there is none.
@@ -20,9 +22,9 @@ struct Apex {
   double score = 0;  ///< smaller is better
 };
 
-/// Decides which triangle may follow on a border half-edge u -> v: candidates, angle windows, length limit, and the tests
-/// that keep the mesh from overlapping itself. Reads the mesh, never changes it. The same call on the same mesh gives the
-/// same bits, so a queue entry can be checked again when it is popped.
+/// Decides which triangle may follow on a border half-edge u -> v: candidates, angle windows, length limit,
+/// and the tests that keep the mesh from overlapping itself. Reads the mesh, never changes it. The same call
+/// on the same mesh gives the same bits, so a queue entry can be checked again when it is popped.
 class FrontRules {
  public:
   FrontRules(const FrontInput& input, const HalfEdgeMesh& mesh, const TriangulationParameters& parameters)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
-// approximation", SIBGRAPI 2003, section 2.2.
-// Departures: a cluster may bridge two parts of the surface, then its centroid lies off both and the projection starts
-// from a member; and a projection that leaves its cluster is refused, because a degree-2 fit can throw a point twelve
-// spacings away where two sheets are near.
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution
+// surface approximation", SIBGRAPI 2003, section 2.2. Departures: a cluster may bridge two parts of the
+// surface, then its centroid lies off both and the projection starts from a member; and a projection that
+// leaves its cluster is refused, because a degree-2 fit can throw a point twelve spacings away where two
+// sheets are near.
 #include "mlsmesh/core/mls_reduction.h"
 
 #include <algorithm>
@@ -15,14 +15,15 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr double kFarCentroid = 0.7;  // local spacings between centroid and nearest member: start from the member
-constexpr double kLeastReach = 0.3;   // local spacings that a projection may always move
+constexpr double kFarCentroid =
+    0.7;  // local spacings between centroid and nearest member: start from the member
+constexpr double kLeastReach = 0.3;  // local spacings that a projection may always move
 
 struct ClusterShape {
   Vec3 centroid;
-  double radius = 0;     // largest distance of a member from the centroid
-  Index central = kNone; // the member nearest to the centroid
-  double off = 0;        // its distance
+  double radius = 0;      // largest distance of a member from the centroid
+  Index central = kNone;  // the member nearest to the centroid
+  double off = 0;         // its distance
 };
 
 ClusterShape shapeOf(const std::vector<Vec3>& points, const Index* members, Index count) {
@@ -56,7 +57,8 @@ Projection inputPoint(const MlsSurface& surface, Index point) {
   return projection;
 }
 
-Projection representativeOf(const MlsSurface& surface, const ClusterShape& shape, const ReductionParameters& parameters) {
+Projection representativeOf(const MlsSurface& surface, const ClusterShape& shape,
+                            const ReductionParameters& parameters) {
   const int degree = surface.parameters().degree;
   const bool guarded = parameters.clamp == ClampRule::Guarded;
   const Vec3 first = surface.startFrom(shape.centroid);

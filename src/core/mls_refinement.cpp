@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
-// approximation", SIBGRAPI 2003, section 2.4.
-// Departures (defaults): an edge is split by the displacement of its midpoint along the normal, because the printed alpha
-// measures the bias of the neighbours' mean, which never vanishes; a new vertex stays within half an edge of its midpoint;
-// on a border it moves along the normal alone, so that loops keep their corners.
+// This work is based on B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution
+// surface approximation", SIBGRAPI 2003, section 2.4. Departures (defaults): an edge is split by the
+// displacement of its midpoint along the normal, because the printed alpha measures the bias of the
+// neighbours' mean, which never vanishes; a new vertex stays within half an edge of its midpoint; on a border
+// it moves along the normal alone, so that loops keep their corners.
 #include "mlsmesh/core/mls_refinement.h"
 
 #include <algorithm>
@@ -40,10 +40,16 @@ EdgeNumbers numberEdges(const HalfEdgeMesh& mesh) {
 
 class EdgeTest {
  public:
-  EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
-           const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Vec3>& normals)
-      : points_(points), surface_(surface), spacing_(spacing), parameters_(parameters), mesh_(mesh),
-        position_(position), normals_(normals) {}
+  EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing,
+           const RefinementParameters& parameters, const HalfEdgeMesh& mesh,
+           const std::vector<Vec3>& position, const std::vector<Vec3>& normals)
+      : points_(points),
+        surface_(surface),
+        spacing_(spacing),
+        parameters_(parameters),
+        mesh_(mesh),
+        position_(position),
+        normals_(normals) {}
 
   SplitEdge evaluate(Index half_edge) const {
     SplitEdge edge;
@@ -110,8 +116,8 @@ class EdgeTest {
 };
 
 // Triangles too thin to divide keep their edges whole.
-void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, const std::vector<Index>& edge_of,
-                       double min_ratio, std::vector<SplitEdge>& edges) {
+void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
+                       const std::vector<Index>& edge_of, double min_ratio, std::vector<SplitEdge>& edges) {
   for (Index t = 0; t < mesh.slotCount(); ++t) {
     const auto [a, b, c] = mesh.corners(t);
     const double x = (position[a] - position[b]).norm();
@@ -145,12 +151,13 @@ std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const st
   return normals;
 }
 
-void addLevel(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
-              const Context& context, RefinedMesh& refined) {
+void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
+              const RefinementParameters& parameters, const Context& context, RefinedMesh& refined) {
   HalfEdgeMesh mesh;
   std::string why;
   const Index vertices = static_cast<Index>(refined.position.size());
-  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why)) throw Failure(StatusCode::InvalidMesh, why);
+  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why))
+    throw Failure(StatusCode::InvalidMesh, why);
   const EdgeNumbers numbers = numberEdges(mesh);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals);
@@ -177,8 +184,8 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   refined.level_vertices.push_back(finer.vertexCount());
 }
 
-void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
-                const Context& context, RefinedMesh& mesh) {
+void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing,
+                const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh) {
   for (int level = 0; level < parameters.levels; ++level) {
     context.checkCancelled();
     addLevel(points, surface, spacing, parameters, context, mesh);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // This work is based on:
-// - D. Levin, "Mesh-independent surface interpolation", 2003: the projection onto a moving-least-squares surface.
-// - M. Alexa, J. Behr, D. Cohen-Or, S. Fleishman, D. Levin, C. T. Silva, "Computing and rendering point set surfaces",
+// - D. Levin, "Mesh-independent surface interpolation", 2003: the projection onto a moving-least-squares
+// surface.
+// - M. Alexa, J. Behr, D. Cohen-Or, S. Fleishman, D. Levin, C. T. Silva, "Computing and rendering point set
+// surfaces",
 //   TVCG 2003: its computation by a local reference plane and a bivariate polynomial.
 // - B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
 //   SIBGRAPI 2003, section 2.2.
-// Departures: the default takes the reference plane of the weighted points at x in one step (three times faster, and its
-// fixed points are as accurate), and h follows the local spacing, because the paper's 3 d_1 varies eight-fold on a
-// uniform scan (d_1 is the distance of an arbitrary position to one point).
+// Departures: the default takes the reference plane of the weighted points at x in one step (three times
+// faster, and its fixed points are as accurate), and h follows the local spacing, because the paper's 3 d_1
+// varies eight-fold on a uniform scan (d_1 is the distance of an arbitrary position to one point).
 #include "mlsmesh/core/mls_surface.h"
 
 #include <Eigen/Cholesky>
@@ -71,7 +73,8 @@ Frame principalFrame(const std::vector<Vec3>& points, const Vec3& origin, const 
   return {origin + mean, solver.eigenvectors(), sum > 0 ? values[0] / sum : 0.0};
 }
 
-// Levin's minimisation: the plane of the points weighted at q, and q as the foot of x on it, in turn to a fixed point.
+// Levin's minimisation: the plane of the points weighted at q, and q as the foot of x on it, in turn to a
+// fixed point.
 Frame alternatingFrame(const std::vector<Vec3>& points, const Vec3& x, double spacing, double support,
                        const ProjectionParameters& parameters, Neighborhood& around, Vec3& foot) {
   Frame frame = principalFrame(points, x, around);
@@ -116,8 +119,8 @@ struct Height {
   bool valid = false;
 };
 
-// Weighted least squares of the heights over the frame at `center`; lengths in units of the support. A small ridge on
-// all but the constant keeps ill-posed fits finite without biasing good ones.
+// Weighted least squares of the heights over the frame at `center`; lengths in units of the support. A small
+// ridge on all but the constant keeps ill-posed fits finite without biasing good ones.
 template <int kTerms>
 Height fitHeight(const std::vector<Vec3>& points, const Vec3& center, const Frame& frame, double support,
                  const Neighborhood& around) {
@@ -144,13 +147,17 @@ Height fitHeight(const std::vector<Vec3>& points, const Vec3& center, const Fram
   return height;
 }
 
-Height fitHeight(int degree, const std::vector<Vec3>& points, const Vec3& center, const Frame& frame, double support,
-                 const Neighborhood& around) {
+Height fitHeight(int degree, const std::vector<Vec3>& points, const Vec3& center, const Frame& frame,
+                 double support, const Neighborhood& around) {
   switch (degree) {
-    case 0: return fitHeight<1>(points, center, frame, support, around);
-    case 1: return fitHeight<3>(points, center, frame, support, around);
-    case 2: return fitHeight<6>(points, center, frame, support, around);
-    default: return fitHeight<10>(points, center, frame, support, around);
+    case 0:
+      return fitHeight<1>(points, center, frame, support, around);
+    case 1:
+      return fitHeight<3>(points, center, frame, support, around);
+    case 2:
+      return fitHeight<6>(points, center, frame, support, around);
+    default:
+      return fitHeight<10>(points, center, frame, support, around);
   }
 }
 

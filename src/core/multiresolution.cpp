@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pipeline of B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface approximation",
-// SIBGRAPI 2003, section 2.
+// The pipeline of B. Mederos, L. Velho, L. H. de Figueiredo, "Moving least squares multiresolution surface
+// approximation", SIBGRAPI 2003, section 2.
 #include "mlsmesh/core/multiresolution.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ namespace {
 // Times the stages one after the other and tells the progress handle which one runs.
 class Stopwatch {
  public:
-  Stopwatch(Progress progress, std::vector<StageTime>& stages) : progress_(std::move(progress)), stages_(stages) {}
+  Stopwatch(Progress progress, std::vector<StageTime>& stages)
+      : progress_(std::move(progress)), stages_(stages) {}
 
   template <typename Work>
   void run(const std::string& stage, double end, const Work& work) {
@@ -44,7 +45,8 @@ IndexLists singletons(Index count) {
 }
 
 // Clusters, smaller than asked where a small cloud would leave too few of them to carry a surface.
-IndexLists clustersOf(const std::vector<Vec3>& points, const MultiresolutionParameters& parameters, Context& context) {
+IndexLists clustersOf(const std::vector<Vec3>& points, const MultiresolutionParameters& parameters,
+                      Context& context) {
   ClusteringParameters clustering = parameters.clustering;
   IndexLists clusters = clusterPoints(points, clustering, context);
   if (clusters.count() >= parameters.min_representatives) return clusters;
@@ -53,7 +55,8 @@ IndexLists clustersOf(const std::vector<Vec3>& points, const MultiresolutionPara
     clustering.min_leaf = std::min(clustering.min_leaf, std::max(1, clustering.max_size / 2));
     clusters = clusterPoints(points, clustering, context);
   }
-  if (clusters.count() < parameters.min_representatives) clusters = singletons(static_cast<Index>(points.size()));
+  if (clusters.count() < parameters.min_representatives)
+    clusters = singletons(static_cast<Index>(points.size()));
   context.warnings.push_back("few points: clusters were made smaller, which leaves " +
                              std::to_string(clusters.count()) + " representatives");
   return clusters;
@@ -142,8 +145,17 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   }
   stages.run("triangulation", parameters.reduce ? 0.45 : 0.7, [&] {
     const Representatives& all = result.representatives;
-    const Triangulation triangulation = triangulate(all.position, all.normal.empty() ? nullptr : &all.normal,
-                                                    result.spacing, true, parameters.triangulation, context);
+    TriangulationInput input{all.position};
+    input.spacing = result.spacing;
+    input.may_split = true;
+    if (parameters.reduce) {
+      input.normals = &all.normal;
+      input.cloud_spacing = &all.spacing;
+      input.cloud = search.get();
+    } else {
+      input.search = search.get();
+    }
+    const Triangulation triangulation = triangulate(input, parameters.triangulation, context);
     result.front = triangulation.statistics;
     makeLevelZero(triangulation, result);
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Departure from B. Mederos, L. Velho, L. H. de Figueiredo (SIBGRAPI 2003, section 2.3, rule ii): the printed test looks at
-// the star of the new apex alone, which leaves hundreds of non-manifold vertices on real scans. These tests look at all
-// three corners, at points inside the triangle and at border edges in its way.
+// Departure from B. Mederos, L. Velho, L. H. de Figueiredo (SIBGRAPI 2003, section 2.3, rule ii): the printed
+// test looks at the star of the new apex alone, which leaves hundreds of non-manifold vertices on real scans.
+// These tests look at all three corners, at points inside the triangle and at border edges in its way.
 #include "overlap_tests.h"
 
 #include <Eigen/Geometry>
@@ -13,9 +13,11 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 constexpr double kOtherSide = -0.3;  // cosine between normals below which a triangle lies on another sheet
-constexpr double kHeight = 0.5;      // of the longest edge: how far over a triangle a point or edge is in its way
+constexpr double kHeight = 0.5;  // of the longest edge: how far over a triangle a point or edge is in its way
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 struct Plane {
   Vec3 origin;
@@ -23,7 +25,8 @@ struct Plane {
   Vec3 u;
   Vec3 v;
 
-  Plane(const Vec3& at, const Vec3& unit_normal) : origin(at), normal(unit_normal), u(normal.unitOrthogonal()) {
+  Plane(const Vec3& at, const Vec3& unit_normal)
+      : origin(at), normal(unit_normal), u(normal.unitOrthogonal()) {
     v = normal.cross(u);
   }
   Vec2 flat(const Vec3& p) const { return Vec2((p - origin).dot(u), (p - origin).dot(v)); }
@@ -45,13 +48,15 @@ struct Sector {
 
 bool overlap(const Sector& s, const Sector& t) {
   if (s.from == t.from || s.to == t.to) return true;
-  if (s.contains(t.from, t.a) || s.contains(t.to, t.b) || t.contains(s.from, s.a) || t.contains(s.to, s.b)) return true;
+  if (s.contains(t.from, t.a) || s.contains(t.to, t.b) || t.contains(s.from, s.a) || t.contains(s.to, s.b))
+    return true;
   // Sectors that share both sides in reverse close a turn; they overlap only if one is turned over.
   return false;
 }
 
 Vec3 triangleNormal(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index half_edge) {
-  return unitNormal(points[mesh.origin(half_edge)], points[mesh.target(half_edge)], points[mesh.opposite(half_edge)]);
+  return unitNormal(points[mesh.origin(half_edge)], points[mesh.target(half_edge)],
+                    points[mesh.opposite(half_edge)]);
 }
 
 // Mean normal of the triangles at a border vertex, not normalised; zero if unused.
@@ -63,7 +68,8 @@ Vec3 starNormal(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index
   return sum;
 }
 
-bool segmentsCross(const Plane& plane, double height, const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
+bool segmentsCross(const Plane& plane, double height, const Vec3& p, const Vec3& q, const Vec3& a,
+                   const Vec3& b) {
   const Vec2 p2 = plane.flat(p);
   const Vec2 q2 = plane.flat(q);
   const Vec2 a2 = plane.flat(a);
@@ -88,7 +94,8 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
 }
 
-bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, int corner) {
+bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
+                    int corner) {
   const Index vertex = triangle.corner[corner];
   if (!mesh.isUsed(vertex)) return false;
   const Vec3 mean = starNormal(mesh, points, vertex) + triangle.normal;
@@ -111,7 +118,8 @@ bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, c
   return false;
 }
 
-bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, Index point) {
+bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
+                   Index point) {
   const auto& [i, j, k] = triangle.corner;
   if (point == i || point == j || point == k) return false;
   const Vec3& p = points[point];
@@ -136,7 +144,8 @@ bool crossesBorderAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, 
     for (int side = 0; side < 2; ++side) {
       const Index end = triangle.corner[side];
       if (a == end || b == end) continue;
-      if (!segmentsCross(plane, kHeight * triangle.longest, points[end], points[apex], points[a], points[b])) continue;
+      if (!segmentsCross(plane, kHeight * triangle.longest, points[end], points[apex], points[a], points[b]))
+        continue;
       if (triangleNormal(mesh, points, half_edge).dot(triangle.normal) > kOtherSide) return true;
     }
     return false;

@@ -12,16 +12,18 @@ struct NewTriangle {
   double longest = 0;
 };
 
-/// True if the sector of the triangle at its corner number `corner` overlaps that of a triangle already there, both
-/// projected on the plane of their mean normal, or is itself turned over in that plane.
-bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, int corner);
+/// True if the sector of the triangle at its corner number `corner` overlaps that of a triangle already
+/// there, both projected on the plane of their mean normal, or is itself turned over in that plane.
+bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
+                    int corner);
 
-/// True if `point` (unused or on a border, same side of the surface) lies over the inside of the triangle, no higher than
-/// half its longest edge.
-bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle, Index point);
+/// True if `point` (unused or on a border, same side of the surface) lies over the inside of the triangle, no
+/// higher than half its longest edge.
+bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
+                   Index point);
 
-/// True if a border edge at `point` crosses one of the two edges between the triangle's last corner and the others, seen
-/// along the triangle's normal and no farther apart than half its longest edge.
+/// True if a border edge at `point` crosses one of the two edges between the triangle's last corner and the
+/// others, seen along the triangle's normal and no farther apart than half its longest edge.
 bool crossesBorderAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
                      Index point);
 

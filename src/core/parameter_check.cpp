@@ -71,6 +71,8 @@ void check(const TriangulationParameters& parameters) {
   checkPositive("triangulation.length_factor", parameters.length_factor);
   checkRange("triangulation.fill_max_edges", parameters.fill_max_edges, 3, 64);
   checkPositive("triangulation.fill_max_perimeter", parameters.fill_max_perimeter);
+  checkRange("triangulation.fill_supported_edges", parameters.fill_supported_edges, 0, 64);
+  checkAtLeast("triangulation.support_reach", parameters.support_reach, 0);
 }
 
 void check(const RefinementParameters& parameters) {

@@ -3,6 +3,7 @@
 
 #include "mlsmesh/core/context.h"
 #include "mlsmesh/core/half_edge_mesh.h"
+#include "mlsmesh/core/neighbor_search.h"
 #include "mlsmesh/parameters.h"
 
 namespace mlsmesh::core {
@@ -17,16 +18,29 @@ struct FrontStatistics {
   Index unused_points = 0;
 };
 
+/// What is triangulated. Only `points` must be given; all that is referred to must outlive the call.
+struct TriangulationInput {
+  const std::vector<Vec3>& points;         ///< no two equal
+  const NeighborSearch* search = nullptr;  ///< over the points; null: FLANN's k-d tree
+  const std::vector<Vec3>* normals =
+      nullptr;  ///< unit, sign arbitrary; null: the neighbours' principal components serve
+  /// For representatives of a cloud: its local spacing d_k / sqrt(k / pi) at every point, and the search over
+  /// it. Null: the points are the cloud.
+  const std::vector<double>* cloud_spacing = nullptr;
+  const NeighborSearch* cloud = nullptr;
+  double spacing = 0;      ///< of the cloud, the unit of fill_max_perimeter, > 0
+  bool may_split = false;  ///< pinched vertices may be duplicated
+};
+
 struct Triangulation {
-  std::vector<Triangle> triangles;     ///< oriented; outward on closed components
-  std::vector<Index> duplicate_of;     ///< vertex n + i is a copy of point duplicate_of[i]
+  std::vector<Triangle> triangles;  ///< oriented; outward on closed components
+  std::vector<Index> duplicate_of;  ///< vertex n + i is a copy of point duplicate_of[i]
   FrontStatistics statistics;
 };
 
-/// Step 3: an oriented 2-manifold over `points` (no two equal). `normals` (unit, sign arbitrary) may be null: then the
-/// neighbours' principal components serve. `spacing` is the unit of fill_max_perimeter. Pinched vertices are resolved by
-/// dropping their smaller fans, or, with `may_split`, by duplicating the point. Throws Failure(NoTriangles).
-Triangulation triangulate(const std::vector<Vec3>& points, const std::vector<Vec3>* normals, double spacing,
-                          bool may_split, const TriangulationParameters& parameters, const Context& context);
+/// Step 3: an oriented 2-manifold over the points. Pinched vertices are resolved by dropping their smaller
+/// fans, or, with may_split, by duplicating the point. Throws Failure(NoTriangles, Cancelled). O(n log n).
+Triangulation triangulate(const TriangulationInput& input, const TriangulationParameters& parameters,
+                          const Context& context);
 
 }  // namespace mlsmesh::core

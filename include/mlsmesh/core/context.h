@@ -8,8 +8,8 @@
 
 namespace mlsmesh::core {
 
-/// What every step is given beside its data: how many threads it may use, the handle that can stop it, and where it
-/// leaves its warnings. Results never depend on the number of threads.
+/// What every step is given beside its data: how many threads it may use, the handle that can stop it, and
+/// where it leaves its warnings. Results never depend on the number of threads.
 struct Context {
   int threads = 0;  ///< 0 = all that the machine has
   Progress progress;

@@ -19,8 +19,8 @@ class Failure : public std::runtime_error {
   StatusCode code_;
 };
 
-/// Runs `work` and turns what it throws into a status: Failure into its code, std::bad_alloc and std::length_error into
-/// OutOfMemory, anything else into Internal.
+/// Runs `work` and turns what it throws into a status: Failure into its code, std::bad_alloc and
+/// std::length_error into OutOfMemory, anything else into Internal.
 Status guarded(const std::function<void()>& work);
 
 }  // namespace mlsmesh::core

@@ -7,10 +7,11 @@
 
 namespace mlsmesh::core {
 
-/// Triangles with their half-edges: half-edge h = 3 * triangle + corner runs from the vertex of its corner to the next.
-/// Every directed edge exists at most once and an edge has at most two triangles, of opposite direction: the mesh is
-/// oriented and edge-manifold at all times. A vertex may hold several fans (a pinch) while a front grows.
-/// Flat arrays; the outgoing half-edges of a vertex are an intrusive list. Not thread-safe for writing.
+/// Triangles with their half-edges: half-edge h = 3 * triangle + corner runs from the vertex of its corner to
+/// the next. Every directed edge exists at most once and an edge has at most two triangles, of opposite
+/// direction: the mesh is oriented and edge-manifold at all times. A vertex may hold several fans (a pinch)
+/// while a front grows. Flat arrays; the outgoing half-edges of a vertex are an intrusive list. Not
+/// thread-safe for writing.
 class HalfEdgeMesh {
  public:
   explicit HalfEdgeMesh(Index vertices = 0);
@@ -52,17 +53,19 @@ class HalfEdgeMesh {
   /// True when some half-edge at the vertex, outgoing or incoming, is a border: it has an open fan.
   bool isBorderVertex(Index vertex) const;
 
-  /// True if a, b, c are distinct and none of the directed edges ab, bc, ca exists. All three must be vertices of the mesh.
+  /// True if a, b, c are distinct and none of the directed edges ab, bc, ca exists. All three must be
+  /// vertices of the mesh.
   bool canAdd(Index a, Index b, Index c) const;
-  /// Adds the triangle in a new slot and links twins; kNone (and no change) unless canAdd. Throws Failure(IndexOverflow).
+  /// Adds the triangle in a new slot and links twins; kNone (and no change) unless canAdd. Throws
+  /// Failure(IndexOverflow).
   Index addTriangle(Index a, Index b, Index c);
   /// Takes a live triangle out; its slot stays, dead for ever.
   void removeTriangle(Index triangle);
-  /// Turns the edge of h inside its two triangles, so that h and its twin are the other diagonal; false (and no change) on a
-  /// border or where the new edge exists.
+  /// Turns the edge of h inside its two triangles, so that h and its twin are the other diagonal; false (and
+  /// no change) on a border or where the new edge exists.
   bool flip(Index half_edge);
-  /// Gives all fans of `vertex` but the largest (of equals, the one with the lowest triangle) a new vertex each, in order of
-  /// their lowest triangle; returns the new vertices.
+  /// Gives all fans of `vertex` but the largest (of equals, the one with the lowest triangle) a new vertex
+  /// each, in order of their lowest triangle; returns the new vertices.
   std::vector<Index> splitFans(Index vertex);
   /// Reverses the orientation of the listed triangles; the list must be closed under edge adjacency.
   void reverse(const std::vector<Index>& triangles);
@@ -75,7 +78,8 @@ class HalfEdgeMesh {
   std::vector<std::vector<Index>> borderLoopEdges() const;
   /// Edge-connected component of every triangle slot (kNone for removed ones), numbered in slot order.
   std::vector<Index> components(Index* count = nullptr) const;
-  /// Empty if all invariants hold (links, twins, one fan a vertex); else a text that names the first violation.
+  /// Empty if all invariants hold (links, twins, one fan a vertex); else a text that names the first
+  /// violation.
   std::string validate(bool allow_pinches = false) const;
 
  private:
@@ -97,8 +101,9 @@ class HalfEdgeMesh {
   Index live_ = 0;
 };
 
-/// Builds a mesh from triangles; false where they are not an oriented edge-manifold (`why` names the first offender), and
-/// then `mesh` is left as it was.
-bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh, std::string* why = nullptr);
+/// Builds a mesh from triangles; false where they are not an oriented edge-manifold (`why` names the first
+/// offender), and then `mesh` is left as it was.
+bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh,
+               std::string* why = nullptr);
 
 }  // namespace mlsmesh::core

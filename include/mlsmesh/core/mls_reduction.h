@@ -8,8 +8,8 @@ namespace mlsmesh::core {
 
 /// One point per cluster on the MLS surface, structs of arrays of equal length.
 struct Representatives {
-  std::vector<Vec3> position;  ///< local, already rounded to the stored type
-  std::vector<Vec3> normal;    ///< unit, sign arbitrary
+  std::vector<Vec3> position;     ///< local, already rounded to the stored type
+  std::vector<Vec3> normal;       ///< unit, sign arbitrary
   std::vector<double> variation;  ///< surface variation sigma of the cluster's surroundings
   std::vector<double> spacing;    ///< local spacing of the input there
   std::vector<Index> nearest;     ///< point of the set nearest to the representative
@@ -18,8 +18,9 @@ struct Representatives {
   Index size() const { return static_cast<Index>(position.size()); }
 };
 
-/// Step 2: projects the centroid of every cluster (paper section 2.2). Representatives that coincide once rounded are kept
-/// once (the first cluster's); `clusters` is changed accordingly: the members of a dropped one join the kept one.
+/// Step 2: projects the centroid of every cluster (paper section 2.2). Representatives that coincide once
+/// rounded are kept once (the first cluster's); `clusters` is changed accordingly: the members of a dropped
+/// one join the kept one.
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
                              const ReductionParameters& parameters, const Context& context);
 

@@ -9,27 +9,29 @@ namespace mlsmesh::core {
 
 /// A mesh in levels: level i uses the first level_vertices[i] vertices and the triangles level_triangles[i].
 struct RefinedMesh {
-  std::vector<Vec3> position;           ///< local, rounded to the stored type
-  std::vector<Vec3> normal;             ///< unit, on the side the triangles are oriented to
+  std::vector<Vec3> position;  ///< local, rounded to the stored type
+  std::vector<Vec3> normal;    ///< unit, on the side the triangles are oriented to
   std::vector<VertexKind> kind;
-  std::vector<Index> nearest;           ///< point of the set nearest to the vertex
-  std::vector<std::array<Index, 2>> parents;  ///< ends of the edge a vertex was made on; {v, v} for those of level 0
+  std::vector<Index> nearest;  ///< point of the set nearest to the vertex
+  std::vector<std::array<Index, 2>>
+      parents;  ///< ends of the edge a vertex was made on; {v, v} for those of level 0
   std::vector<Index> level_vertices;
   std::vector<std::vector<Triangle>> level_triangles;
 
   Index levelCount() const { return static_cast<Index>(level_vertices.size()); }
 };
 
-/// Step 4: adds one level to `mesh`, whose finest level must be an oriented 2-manifold. `spacing` is the cloud's. The
-/// vertices of the level before stay where they are. Throws Failure(InvalidMesh, Cancelled).
-void addLevel(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
-              const Context& context, RefinedMesh& mesh);
+/// Step 4: adds one level to `mesh`, whose finest level must be an oriented 2-manifold. `spacing` is the
+/// cloud's. The vertices of the level before stay where they are. Throws Failure(InvalidMesh, Cancelled).
+void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
+              const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh);
 
 /// Adds parameters.levels levels.
-void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing, const RefinementParameters& parameters,
-                const Context& context, RefinedMesh& mesh);
+void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing,
+                const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh);
 
-/// Unit normals of the vertices: the area-weighted mean of the triangles around each, zero where they cancel or are none.
+/// Unit normals of the vertices: the area-weighted mean of the triangles around each, zero where they cancel
+/// or are none.
 std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3>& position);
 
 }  // namespace mlsmesh::core

@@ -8,41 +8,43 @@ namespace mlsmesh::core {
 
 /// How a projection, or the vertex made from it, came about.
 enum class VertexKind : std::uint8_t {
-  Projected,      ///< Psi with the degree that was asked for
-  LowerDegree,    ///< Psi with a lower degree, because the fit was ill-posed or the step too long
-  InputPoint,     ///< an input point: what was asked for, or the last resort
-  Clamped,        ///< displacement cut to its limit
-  FoldGuarded,    ///< pulled towards the edge's midpoint, or onto it, to keep the mesh from folding
-  Border,         ///< on a border edge: only the part along the normal of the projection was used
+  Projected,    ///< Psi with the degree that was asked for
+  LowerDegree,  ///< Psi with a lower degree, because the fit was ill-posed or the step too long
+  InputPoint,   ///< an input point: what was asked for, or the last resort
+  Clamped,      ///< displacement cut to its limit
+  FoldGuarded,  ///< pulled towards the edge's midpoint, or onto it, to keep the mesh from folding
+  Border,       ///< on a border edge: only the part along the normal of the projection was used
 };
 
 /// Psi(x) and what was learnt on the way.
 struct Projection {
-  Vec3 position;         ///< Psi(x)
-  Vec3 normal;           ///< unit, of the fitted polynomial at Psi(x), sign arbitrary
-  double variation = 0;  ///< surface variation lambda_1 / (lambda_1 + lambda_2 + lambda_3) of the weighted neighbours
-  double spacing = 0;    ///< local spacing d_k / sqrt(k / pi) at x
-  double support = 0;    ///< h
-  Vec3 mean_difference;  ///< (1/k) sum (p - x): along n it is the paper's t_min (n = n_c) or alpha (n = n_m)
-  Index nearest = kNone; ///< point nearest to Psi(x) among the neighbours of x
+  Vec3 position;  ///< Psi(x)
+  Vec3 normal;    ///< unit, of the fitted polynomial at Psi(x), sign arbitrary
+  double variation =
+      0;  ///< surface variation lambda_1 / (lambda_1 + lambda_2 + lambda_3) of the weighted neighbours
+  double spacing = 0;     ///< local spacing d_k / sqrt(k / pi) at x
+  double support = 0;     ///< h
+  Vec3 mean_difference;   ///< (1/k) sum (p - x): along n it is the paper's t_min (n = n_c) or alpha (n = n_m)
+  Index nearest = kNone;  ///< point nearest to Psi(x) among the neighbours of x
   VertexKind kind = VertexKind::Projected;
 };
 
-/// The moving-least-squares surface of a set of points: the fixed points of Psi. Holds references; the points and the
-/// search must outlive it. All members are const and thread-safe.
+/// The moving-least-squares surface of a set of points: the fixed points of Psi. Holds references; the points
+/// and the search must outlive it. All members are const and thread-safe.
 class MlsSurface {
  public:
-  MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search, const ProjectionParameters& parameters);
+  MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
+             const ProjectionParameters& parameters);
 
-  /// Psi(x), with neighbours and support taken at x. `x` must be finite. Falls back to lower degrees where the fit is not
-  /// finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
+  /// Psi(x), with neighbours and support taken at x. `x` must be finite. Falls back to lower degrees where
+  /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
   Projection project(const Vec3& x) const { return project(x, parameters_.degree); }
   Projection project(const Vec3& x, int degree) const;
   /// ||Psi(x) - x||: 0 on the surface.
   double residual(const Vec3& x) const { return (project(x).position - x).norm(); }
 
-  /// Where the paper's projection of a centroid starts (section 2.2, 3-4): c + t_min n_c, n_c the direction in which the
-  /// weighted neighbours spread least about c, t_min the mean of (p - c) . n_c.
+  /// Where the paper's projection of a centroid starts (section 2.2, 3-4): c + t_min n_c, n_c the direction
+  /// in which the weighted neighbours spread least about c, t_min the mean of (p - c) . n_c.
   Vec3 startFrom(const Vec3& c) const;
   /// (1/k) sum (p - x) over the neighbours of x alone, without a fit.
   Vec3 meanDifference(const Vec3& x) const;

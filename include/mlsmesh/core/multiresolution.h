@@ -20,21 +20,21 @@ struct StageTime {
 /// All that the four steps made of a cloud.
 struct Reconstruction {
   PointSet points;
-  double spacing = 0;          ///< of the cloud
-  IndexLists clusters;         ///< members (points) of each level-0 vertex's cluster
+  double spacing = 0;   ///< of the cloud
+  IndexLists clusters;  ///< members (points) of each level-0 vertex's cluster
   Representatives representatives;
-  RefinedMesh mesh;            ///< every vertex of a level is used by one of its triangles
+  RefinedMesh mesh;                      ///< every vertex of a level is used by one of its triangles
   std::vector<Index> representative_of;  ///< representative of each level-0 vertex
   FrontStatistics front;
   std::vector<MeshReport> reports;  ///< one a level
-  std::vector<StageTime> stages;    ///< search, clustering, reduction, triangulation, refinement 1 .. n, report
+  std::vector<StageTime> stages;  ///< search, clustering, reduction, triangulation, refinement 1 .. n, report
 };
 
-/// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the ordered points of
-/// the set and returns the search to use (the adapter of a user's pcl::search::Search).
+/// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the
+/// ordered points of the set and returns the search to use (the adapter of a user's pcl::search::Search).
 /// Every vertex of the result is used by a triangle. Throws Failure.
 using SearchFactory = std::function<std::unique_ptr<NeighborSearch>(const PointSet&)>;
-Reconstruction reconstruct(PointSet points, const SearchFactory& search, const MultiresolutionParameters& parameters,
-                           Context& context);
+Reconstruction reconstruct(PointSet points, const SearchFactory& search,
+                           const MultiresolutionParameters& parameters, Context& context);
 
 }  // namespace mlsmesh::core

@@ -9,16 +9,16 @@ namespace mlsmesh::core {
 /// Type in which the vertices will be stored; positions are rounded to it before any topology is decided.
 enum class StoredAs { Float, Double };
 
-/// The distinct finite points of a cloud, relative to a local origin, in canonical order (Morton key, ties by x, y, z),
-/// which depends on the set of points alone and not on their order in the input.
+/// The distinct finite points of a cloud, relative to a local origin, in canonical order (Morton key, ties by
+/// x, y, z), which depends on the set of points alone and not on their order in the input.
 struct PointSet {
   std::vector<Vec3> position;  ///< relative to origin, pairwise distinct, -0 written as 0
   Vec3 origin = Vec3::Zero();  ///< world = position + origin
   StoredAs stored_as = StoredAs::Float;
-  std::vector<Index> source;   ///< input index of each point (the lowest of its duplicates)
-  IndexLists duplicates_of;    ///< all input indices of each point, ascending (one, but for duplicates)
-  Index non_finite = 0;        ///< input points dropped because a coordinate was NaN or infinite (as stored_as)
-  Index duplicates = 0;        ///< input points dropped because another has the same position
+  std::vector<Index> source;  ///< input index of each point (the lowest of its duplicates)
+  IndexLists duplicates_of;   ///< all input indices of each point, ascending (one, but for duplicates)
+  Index non_finite = 0;  ///< input points dropped because a coordinate was NaN or infinite (as stored_as)
+  Index duplicates = 0;  ///< input points dropped because another has the same position
 
   Index size() const { return static_cast<Index>(position.size()); }
   /// `local` as it will read once stored in world coordinates of type stored_as.
@@ -27,10 +27,11 @@ struct PointSet {
   Vec3 world(const Vec3& local) const { return local + origin; }
 };
 
-/// Builds a point set from `world` coordinates. With `indices` only those of its entries take part (repeats count as
-/// duplicates). Throws Failure: EmptyInput, InvalidIndices, IndexOverflow (more than 2^31 - 1), TooFewPoints (fewer than 3
-/// distinct finite), DegenerateInput (all on a line within 1e-9 of the extent or two units in the last place of the stored
-/// coordinates; or an extent outside 1e-50 .. 1e50), Cancelled. O(n log n).
+/// Builds a point set from `world` coordinates. With `indices` only those of its entries take part (repeats
+/// count as duplicates). Throws Failure: EmptyInput, InvalidIndices, IndexOverflow (more than 2^31 - 1),
+/// TooFewPoints (fewer than 3 distinct finite), DegenerateInput (all on a line within 1e-9 of the extent or
+/// two units in the last place of the stored coordinates; or an extent outside 1e-50 .. 1e50), Cancelled. O(n
+/// log n).
 PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const std::vector<Index>* indices,
                       Context& context);
 

@@ -88,13 +88,11 @@ void toBlob(const pcl::PointCloud<PointT>& cloud, pcl::PCLPointCloud2& blob) {
 /// missing.
 template <typename PointT>
 void fromBlob(const pcl::PCLPointCloud2& blob, pcl::PointCloud<PointT>& cloud) {
-  std::vector<pcl::PCLPointField> wanted;
-  pcl::for_each_type<typename pcl::traits::fieldList<PointT>::type>(pcl::detail::FieldAdder<PointT>(wanted));
   const auto isColour = [](const pcl::PCLPointField& field) {
     return field.name == "rgb" || field.name == "rgba";
   };
   pcl::MsgFieldMap map;
-  for (const auto& to : wanted) {
+  for (const auto& to : pcl::getFields<PointT>()) {
     for (const auto& from : blob.fields) {
       const bool same = from.name == to.name && from.datatype == to.datatype && from.count == to.count;
       if (!same && !(isColour(from) && isColour(to))) continue;

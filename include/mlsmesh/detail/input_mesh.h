@@ -75,7 +75,6 @@ inline InputMesh readMesh(const pcl::PolygonMesh::ConstPtr& input) {
     failMesh(std::string("input mesh: ") + failure.what());
   }
   mesh.triangles = trianglesOf(input->polygons, mesh.position.size());
-  mesh.area_normal.assign(mesh.position.size(), core::Vec3::Zero());
   mesh.used.assign(mesh.position.size(), false);
   for (const auto& [a, b, c] : mesh.triangles) {
     const core::Vec3 normal =
@@ -98,20 +97,20 @@ inline core::RefinedMesh levelZero(const InputMesh& input, const core::PointSet&
   const std::size_t count = input.position.size();
   core::RefinedMesh mesh;
   mesh.position.assign(count, core::Vec3::Zero());
-  mesh.normal.assign(count, core::Vec3::Zero());
   mesh.kind.assign(count, core::VertexKind::InputPoint);
   mesh.nearest.assign(count, 0);
-  mesh.parents.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto vertex = static_cast<core::Index>(i);
+    mesh.parents.push_back({vertex, vertex});
+    if (input.used[i]) mesh.position[i] = points.stored(input.position[i] - points.origin);
+  }
+  mesh.normal = core::vertexNormals(input.triangles, mesh.position);
   core::parallelBlocks(context, count, 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const auto vertex = static_cast<core::Index>(i);
-      mesh.parents[i] = {vertex, vertex};
       if (!input.used[i]) continue;
-      mesh.position[i] = points.stored(input.position[i] - points.origin);
       const core::Projection projection = surface.project(mesh.position[i]);
       mesh.nearest[i] = projection.nearest;
-      mesh.normal[i] =
-          projection.normal.dot(input.area_normal[i]) < 0 ? -projection.normal : projection.normal;
+      mesh.normal[i] = projection.normal.dot(mesh.normal[i]) < 0 ? -projection.normal : projection.normal;
     }
   });
   mesh.level_vertices = {static_cast<core::Index>(count)};

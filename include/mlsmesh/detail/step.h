@@ -58,6 +58,7 @@ class Step : public Base {
                             "setNumberOfThreads: the number must not be negative; 0 = all");
       }
       work(context);
+      context.progress.advance(1.0);
     });
     status_.warnings = std::move(context.warnings);
   }
@@ -69,7 +70,7 @@ class Step : public Base {
 
   /// The distinct finite points of the input; throws core::Failure.
   core::PointSet preparePoints(core::StoredAs stored_as, core::Context& context) const {
-    context.progress.enterStage("prepare", 0.05);
+    context.progress.enterStage("prepare", 0.02);
     return pointSetOf<PointType>(this->input_, chosenIndices(), stored_as, context);
   }
 
@@ -94,7 +95,7 @@ class SearchingStep : public Step<Base> {
 
   std::unique_ptr<core::NeighborSearch> prepareSearch(const core::PointSet& points,
                                                       core::Context& context) const {
-    context.progress.enterStage("search", 0.15);
+    context.progress.enterStage("search", 0.1);
     return makeSearch<PointType>(points, search_, context);
   }
 
