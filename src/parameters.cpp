@@ -43,6 +43,7 @@ MultiresolutionParameters printedPreset() {
   printed.triangulation.length_factor = 3;
   printed.triangulation.overlap_test = OverlapTest::ApexStar;
   printed.triangulation.fill_small_loops = false;
+  printed.triangulation.support_reach = 0;
 
   printed.refinement.split_mode = SplitMode::Sequential;
   printed.refinement.fold_guard = false;
