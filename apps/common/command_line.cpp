@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/command_line.h"
 
+#include "common/name_match.h"
+
 #include <cmath>
 #include <locale>
 #include <sstream>
 #include <vector>
-
-#include "common/name_match.h"
 
 namespace mlsmesh::apps {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <boost/program_options.hpp>
-#include <string>
-
 #include "common/app_error.h"
+
+#include <boost/program_options.hpp>
+
+#include <string>
 
 namespace mlsmesh::apps {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream>
-
 #include "common/app_error.h"
 #include "mlsmesh/version.h"
 #include "sample/sample_options.h"
 #include "sample/scan_file.h"
+
+#include <iostream>
 
 namespace {
 

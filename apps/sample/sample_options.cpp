@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sample/sample_options.h"
 
+#include "common/command_line.h"
+#include "common/parameter_table.h"
+#include "sample/scan_file.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
-
-#include "common/command_line.h"
-#include "common/parameter_table.h"
-#include "sample/scan_file.h"
 
 namespace mlsmesh::apps {
 namespace {
@@ -28,19 +28,23 @@ std::string joined(const std::vector<std::string>& names) {
 po::options_description describeOptions() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("Options (-name value or --name=value)");
-  options.add_options()("count", text("N"), "points on the surface (default 50000)")(
-      "noise", text("SIGMA"),
+  auto add = options.add_options();
+  add("count", text("N"), "points on the surface (default 50000)");
+  add("noise", text("SIGMA"),
       "Gaussian noise, standard deviation of each coordinate as a share of the shape's diagonal "
-      "(default 0)")("outliers", text("SHARE"),
-                     "points anywhere in the box grown by a tenth, as a share of N and on top of it "
-                     "(default 0)")("density", text("AXIS,RATIO"),
-                                    "density that falls by RATIO from the low to the high end of x, y or z")(
-      "views", text("K"), "only what K scanner positions around the shape see (default 0: everything)")(
-      "seed", text("S"), "another number, another scan (default 1)")(
-      "colors", text("BOOL"),
+      "(default 0)");
+  add("outliers", text("SHARE"),
+      "points anywhere in the box grown by a tenth, as a share of N and on top of it "
+      "(default 0)");
+  add("density", text("AXIS,RATIO"), "density that falls by RATIO from the low to the high end of x, y or z");
+  add("views", text("K"), "only what K scanner positions around the shape see (default 0: everything)");
+  add("seed", text("S"), "another number, another scan (default 1)");
+  add("colors", text("BOOL"),
       "colour every point, by position; figure: as painted (default true for figure, "
-      "else false)")("quiet", po::bool_switch(), "print nothing but errors")(
-      "help", po::bool_switch(), "this text")("version", po::bool_switch(), "the version");
+      "else false)");
+  add("quiet", po::bool_switch(), "print nothing but errors");
+  add("help,h", po::bool_switch(), "this text");
+  add("version", po::bool_switch(), "the version");
   return options;
 }
 

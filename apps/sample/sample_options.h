@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shapes/scan.h"
+
 #include <filesystem>
 #include <memory>
 #include <string>
-
-#include "shapes/scan.h"
 
 namespace mlsmesh::apps {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sample/scan_file.h"
 
-#include <pcl/io/pcd_io.h>
-#include <pcl/io/ply_io.h>
-
-#include <cstdio>
-
 #include "common/app_error.h"
 #include "common/atomic_output.h"
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+
+#include <cstdio>
 
 namespace mlsmesh::apps {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/types.h"
+
 #include <filesystem>
 #include <vector>
-
-#include "mlsmesh/core/types.h"
 
 namespace mlsmesh::apps {
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/types.h"
+
 #include <Eigen/Geometry>
+
 #include <array>
 #include <memory>
 #include <vector>
-
-#include "mlsmesh/core/types.h"
 
 namespace mlsmesh::shapes {
 

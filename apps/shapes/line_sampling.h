@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
-#include <functional>
-#include <vector>
-
 #include "mlsmesh/core/types.h"
 #include "shapes/random.h"
+
+#include <Eigen/Geometry>
+
+#include <functional>
+#include <vector>
 
 namespace mlsmesh::shapes {
 

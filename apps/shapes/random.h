@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/types.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
-
-#include "mlsmesh/core/types.h"
 
 namespace mlsmesh::shapes {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "shapes/shape.h"
+
 #include <cstdint>
 #include <vector>
-
-#include "shapes/shape.h"
 
 namespace mlsmesh::shapes {
 

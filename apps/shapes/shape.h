@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/types.h"
+#include "shapes/random.h"
+
 #include <Eigen/Geometry>
+
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "mlsmesh/core/types.h"
-#include "shapes/random.h"
 
 namespace mlsmesh::shapes {
 

@@ -2,6 +2,7 @@
 #include "shapes/sheets.h"
 
 #include <Eigen/LU>
+
 #include <algorithm>
 
 namespace mlsmesh::shapes {

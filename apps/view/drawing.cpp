@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/drawing.h"
 
+#include "common/app_error.h"
+#include "common/cloud_columns.h"
+#include "common/cloud_io.h"
+#include "common/file_bytes.h"
+#include "common/header_check.h"
+#include "common/vtk_legacy.h"
+
 #include <pcl/PCLPointCloud2.h>
+
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
-#include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
@@ -14,11 +23,8 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "common/app_error.h"
-#include "common/cloud_columns.h"
-#include "common/cloud_io.h"
-#include "common/file_bytes.h"
-#include "common/header_check.h"
+#include <array>
+#include <cmath>
 
 namespace mlsmesh::apps {
 namespace {
@@ -39,7 +45,7 @@ vtkSmartPointer<vtkPolyData> readPolygons(const std::filesystem::path& file) {
     return readWith<vtkPLYReader>(file);
   }
   if (extension == "vtk") {
-    checkVtkHeader(file);
+    pointsOfLegacyVtk(readBytes(file), file.string());
     return readWith<vtkPolyDataReader>(file);
   }
   if (extension == "vtp") {
@@ -50,6 +56,22 @@ vtkSmartPointer<vtkPolyData> readPolygons(const std::filesystem::path& file) {
   if (extension == "obj") return readWith<vtkOBJReader>(file);
   if (extension == "stl") return readWith<vtkSTLReader>(file);
   return nullptr;
+}
+
+/// Throws AppError if a cell names a point that is not there.
+void checkCells(vtkPolyData& data, const std::filesystem::path& file) {
+  const auto check = [&](vtkCellArray* cells) {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+      cells->GetCellAtId(cell, ids);
+      for (const vtkIdType id : *ids) {
+        if (id >= 0 && id < data.GetNumberOfPoints()) continue;
+        throw fileError(file.string(), "a face names a vertex that is not there; the file is damaged");
+      }
+    }
+  };
+  for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips(), data.GetLines(), data.GetVerts()})
+    check(cells);
 }
 
 /// Keeps the point data that are colours as scalars, and normals; drops the rest, which VTK would draw in
@@ -139,6 +161,7 @@ Drawing readDrawing(const std::filesystem::path& file) {
   drawing.data = readPolygons(file);
   drawing.is_mesh = drawing.data != nullptr && drawing.data->GetNumberOfPolys() > 0;
   if (drawing.is_mesh) {
+    checkCells(*drawing.data, file);
     keepColorsAndNormals(*drawing.data);
     if (extensionOf(file) == "stl") drawing.data = merged(drawing.data);
     drawing.data = withNormals(drawing.data);

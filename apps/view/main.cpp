@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <vtkObject.h>
-
-#include <iostream>
-#include <optional>
-
 #include "common/app_error.h"
 #include "common/atomic_output.h"
 #include "mlsmesh/version.h"
 #include "view/view_options.h"
 #include "view/virtual_display.h"
 #include "view/window.h"
+
+#include <vtkObject.h>
+
+#include <iostream>
+#include <optional>
 
 namespace {
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "view/drawing.h"
+#include "view/view_options.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
@@ -8,9 +11,6 @@
 #include <vtkSmartPointer.h>
 
 #include <vector>
-
-#include "view/drawing.h"
-#include "view/view_options.h"
 
 namespace mlsmesh::apps {
 

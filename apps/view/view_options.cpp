@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/view_options.h"
 
+#include "common/command_line.h"
+#include "common/file_bytes.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
-
-#include "common/command_line.h"
-#include "common/file_bytes.h"
 
 namespace mlsmesh::apps {
 namespace {
@@ -20,17 +20,18 @@ constexpr int kMaxPanesPerRow = 4;
 po::options_description describeOptions() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("Options (-name value or --name=value)");
-  options.add_options()("screenshot", text("FILE"),
-                        "write a PNG picture instead of opening a window; needs no display")(
-      "size", text("WxH"), "pixels of window or picture (default 800 x 800 a file)")(
-      "view", text("NAME"), "front, back, left, right, top, bottom or iso (default iso)")(
-      "up", text("AXIS"), "x, y or z points up (default y)")("zoom", text("FACTOR"),
-                                                             "larger than 1: nearer (default 1)")(
-      "edges", po::bool_switch(), "draw the edges of the triangles on them")("wireframe", po::bool_switch(),
-                                                                             "draw the edges alone")(
-      "borders", po::bool_switch(), "highlight borders and edges of more than two triangles")(
-      "no-labels", po::bool_switch(), "leave out file names and counts")(
-      "help", po::bool_switch(), "this text")("version", po::bool_switch(), "the version");
+  auto add = options.add_options();
+  add("screenshot", text("FILE"), "write a PNG picture instead of opening a window; needs no display");
+  add("size", text("WxH"), "pixels of window or picture (default 800 x 800 a file)");
+  add("view", text("NAME"), "front, back, left, right, top, bottom or iso (default iso)");
+  add("up", text("AXIS"), "x, y or z points up (default y)");
+  add("zoom", text("FACTOR"), "larger than 1: nearer (default 1)");
+  add("edges", po::bool_switch(), "draw the edges of the triangles on them");
+  add("wireframe", po::bool_switch(), "draw the edges alone");
+  add("borders", po::bool_switch(), "highlight borders and edges of more than two triangles");
+  add("no-labels", po::bool_switch(), "leave out file names and counts");
+  add("help,h", po::bool_switch(), "this text");
+  add("version", po::bool_switch(), "the version");
   return options;
 }
 

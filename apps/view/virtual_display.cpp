@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/virtual_display.h"
 
+#include "common/app_error.h"
+
 #include <X11/Xlib.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -13,8 +15,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <string>
-
-#include "common/app_error.h"
 
 namespace mlsmesh::apps {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/window.h"
 
+#include "common/app_error.h"
+#include "common/atomic_output.h"
+#include "view/scene.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkWindowToImageFilter.h>
-
-#include "common/app_error.h"
-#include "common/atomic_output.h"
-#include "view/scene.h"
 
 namespace mlsmesh::apps {
 namespace {

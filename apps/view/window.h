@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "view/drawing.h"
 #include "view/view_options.h"
+
+#include <vector>
 
 namespace mlsmesh::apps {
 
