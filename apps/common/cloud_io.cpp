@@ -111,7 +111,12 @@ void readCloud(const fs::path& file, pcl::PCLPointCloud2& cloud) {
   checkReadable(file);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   cloud = pcl::PCLPointCloud2();
-  format.read(file, cloud);
+  try {
+    format.read(file, cloud);
+  } catch (const std::bad_alloc&) {
+    throw fileError(file.string(),
+                    "does not fit into memory; use a smaller cloud, or check the sizes in its header");
+  }
   checkPoints(file, cloud);
 }
 

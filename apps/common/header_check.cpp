@@ -3,6 +3,7 @@
 
 #include "common/app_error.h"
 #include "common/file_bytes.h"
+#include "common/text_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,17 @@ void checkSize(const fs::path& file, std::uintmax_t available, const std::string
   throw fileError(file.string(), "is cut off: its header announces " + std::to_string(items) + " " + what +
                                      ", the file holds " + std::to_string(available) +
                                      " bytes of data; copy the file again");
+}
+
+/// The readers take what is not a number for 0 or NaN, and missing numbers for 0.
+void checkRows(const fs::path& file, std::uintmax_t data_offset, std::uintmax_t rows,
+               std::uintmax_t columns) {
+  const std::string content = readBytes(file);
+  const auto offset = static_cast<std::size_t>(data_offset);
+  const auto header_lines =
+      std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+  const TextLines lines(std::string_view(content).substr(offset), static_cast<std::size_t>(header_lines));
+  checkNumberRows(lines, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns), file.string());
 }
 
 std::vector<std::string> words(const std::string& line) {
@@ -257,7 +269,10 @@ void checkPcdHeader(const fs::path& file) {
   const std::uintmax_t available = fs::file_size(file) - header.data_offset;
   const std::string& storage = header.has("DATA") ? header.entries.at("DATA")[0] : std::string();
   if (points == 0) throw fileError(file.string(), "holds no points (POINTS 0); give a file with points");
-  if (storage == "ascii") return checkSize(file, available + 1, "points", points, 2 * point.values);
+  if (storage == "ascii") {
+    checkSize(file, available + 1, "points", points, 2 * point.values);
+    return checkRows(file, header.data_offset, points, point.values);
+  }
   if (storage == "binary") return checkSize(file, available, "points", points, point.bytes);
   if (storage == "binary_compressed") return checkCompressed(file, header, points, point);
   throw badHeader(file, "DATA is neither ascii, binary nor binary_compressed");
@@ -278,22 +293,9 @@ std::size_t checkPlyHeader(const fs::path& file) {
   if (vertex->count == 0)
     throw fileError(file.string(), "holds no points (element vertex 0); give a file with points");
   checkPlyVertex(*vertex, file);
+  const bool at_start = vertex == &header.elements.front();
+  if (header.ascii && at_start) checkRows(file, header.data_offset, vertex->count, vertex->properties.size());
   return static_cast<std::size_t>(vertex->count);
-}
-
-void checkVtkHeader(const fs::path& file) {
-  std::istringstream lines(readBytes(file, kLongestHeader));
-  std::string line;
-  std::getline(lines, line);
-  if (line.rfind("# vtk DataFile Version", 0) != 0) throw wrongType(file, "legacy VTK");
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> entry = words(line);
-    if (entry.size() != 3 || entry[0] != "POINTS") continue;
-    std::uintmax_t points = 0;
-    if (!readCount(entry[1], points)) throw badHeader(file, "number of POINTS");
-    return checkSize(file, fs::file_size(file), "points", points, 6);
-  }
-  throw fileError(file.string(), "holds no POINTS; give a file with points");
 }
 
 void checkVtpHeader(const fs::path& file) {

@@ -13,9 +13,7 @@ void checkPcdHeader(const std::filesystem::path& file);
 /// Also refuses the vertex properties that pcl::PLYReader misplaces: lists, and colours not in the order red,
 /// green, blue (, alpha). Returns the number of vertices announced.
 std::size_t checkPlyHeader(const std::filesystem::path& file);
-/// Legacy format (.vtk).
-void checkVtkHeader(const std::filesystem::path& file);
-/// XML format (.vtp).
+/// VTK's XML format (.vtp).
 void checkVtpHeader(const std::filesystem::path& file);
 
 }  // namespace mlsmesh::apps

@@ -16,9 +16,9 @@ std::string writableMeshFormats();
 void checkWritableMeshFormat(const std::filesystem::path& file);
 
 /// Writes a mesh to `file` (a temporary one) in the format of `target`'s extension; `target` is named in
-/// errors. PLY (binary) and VTP keep every field to the bit; VTK text every field, in digits that read back
-/// exactly; OBJ positions, normals and colour; STL positions as float32. Throws AppError where the file
-/// cannot be written whole.
+/// errors. PLY and VTK (both binary) and VTP keep every field to the bit; OBJ positions, normals (both in
+/// digits that read back exactly) and colour; STL positions as float32. Throws AppError where the file cannot
+/// be written whole.
 void writeMesh(const std::filesystem::path& file, const std::filesystem::path& target,
                const pcl::PolygonMesh& mesh);
 

@@ -3,9 +3,9 @@
 
 #include "common/app_error.h"
 #include "common/cloud_columns.h"
+#include "common/text_lines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -14,60 +14,6 @@ namespace mlsmesh::apps {
 namespace {
 
 using Type = pcl::PCLPointField::PointFieldTypes;
-
-bool isSeparator(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isSeparator(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isSeparator(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// The lines of a text, trimmed, without the empty ones.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {}
-
-  bool next(std::string_view& line) {
-    while (!rest_.empty()) {
-      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      line = trimmed(rest_.substr(0, end));
-      rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      ++number_;
-      if (!line.empty()) return true;
-    }
-    return false;
-  }
-  std::size_t number() const { return number_; }
-
- private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-};
-
-/// Appends the numbers of a line; false if something in it is not a number.
-bool appendNumbers(std::string_view line, std::vector<double>& numbers) {
-  while (!line.empty()) {
-    if (line.front() == '+') line.remove_prefix(1);
-    double value = 0;
-    const std::from_chars_result end = std::from_chars(line.data(), line.data() + line.size(), value);
-    const bool underflow = end.ec == std::errc::result_out_of_range && std::abs(value) < 1;
-    if (end.ec != std::errc() && !underflow) return false;
-    line.remove_prefix(static_cast<std::size_t>(end.ptr - line.data()));
-    if (!line.empty() && !isSeparator(line.front())) return false;
-    line = trimmed(line);
-    numbers.push_back(value);
-  }
-  return true;
-}
-
-AppError lineError(const std::string& file, const Lines& lines, std::string_view line,
-                   const std::string& what) {
-  const std::string text(line.substr(0, 60));
-  return fileError(file, "line " + std::to_string(lines.number()) + ", '" + text + "': " + what);
-}
 
 void refuseBinary(const std::string& content, const std::string& file, const std::string& format) {
   if (content.find('\0') == std::string::npos) return;
@@ -92,7 +38,7 @@ bool isComment(std::string_view line) {
   return line.front() == '#' || line.substr(0, 2) == "//";
 }
 
-void checkRow(const NumberTable& table, std::size_t added, const std::string& file, const Lines& lines,
+void checkRow(const NumberTable& table, std::size_t added, const std::string& file, const TextLines& lines,
               std::string_view line) {
   if (added < 3) throw lineError(file, lines, line, "fewer than three numbers; every line needs x y z");
   if (added != table.columns) {
@@ -123,7 +69,7 @@ FirstLine readFirstLine(std::string_view line) {
 
 NumberTable readTable(const std::string& content, const std::string& file) {
   NumberTable table;
-  Lines lines(content);
+  TextLines lines(content);
   FirstLine first;
   std::string_view line;
   bool at_start = true;
@@ -225,13 +171,13 @@ void readXyz(const std::string& content, const std::string& file, pcl::PCLPointC
 void readObj(const std::string& content, const std::string& file, pcl::PCLPointCloud2& cloud) {
   refuseBinary(content, file, "OBJ");
   ObjVertices vertices;
-  Lines lines(content);
+  TextLines lines(content);
   std::string_view line;
   std::vector<double> numbers;
   while (lines.next(line)) {
     if (line.size() < 2 || line[0] != 'v' || !isSeparator(line[1])) continue;
     numbers.clear();
-    if (!appendNumbers(trimmed(line.substr(1)), numbers) || numbers.size() < 3) {
+    if (!appendNumbers(trimSeparators(line.substr(1)), numbers) || numbers.size() < 3) {
       throw lineError(file, lines, line, "is not a vertex 'v x y z'; correct it");
     }
     vertices.add(numbers);

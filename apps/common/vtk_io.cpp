@@ -3,18 +3,20 @@
 
 #include "common/app_error.h"
 #include "common/cloud_columns.h"
+#include "common/file_bytes.h"
 #include "common/header_check.h"
+#include "common/vtk_legacy.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
-#include <vtkGenericDataObjectReader.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
-#include <vtkPointSet.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
@@ -22,6 +24,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <array>
+#include <climits>
 
 namespace mlsmesh::apps {
 
@@ -31,13 +34,13 @@ namespace {
 
 using Type = pcl::PCLPointField::PointFieldTypes;
 
-/// Counts VTK's errors instead of printing them.
+/// Counts VTK's errors and warnings (data that are cut off are one) instead of printing them.
 class ErrorCounter : public vtkOutputWindow {
  public:
   static ErrorCounter* New();
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char*) override { ++errors_; }
-  void DisplayWarningText(const char*) override {}
+  void DisplayWarningText(const char*) override { ++errors_; }
   void DisplayGenericWarningText(const char*) override {}
   void DisplayDebugText(const char*) override {}
   int errors() const { return errors_; }
@@ -48,8 +51,9 @@ class ErrorCounter : public vtkOutputWindow {
 
 vtkStandardNewMacro(ErrorCounter);
 
-/// Puts an ErrorCounter in place of VTK's window.
+/// Puts an ErrorCounter in place of VTK's window, and silences VTK's log.
 vtkSmartPointer<ErrorCounter> countErrors() {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   const auto counter = vtkSmartPointer<ErrorCounter>::New();
   vtkOutputWindow::SetInstance(counter);
   return counter;
@@ -124,7 +128,7 @@ void appendArray(vtkDataArray& array, bool is_normals, std::vector<CloudColumn>&
   }
 }
 
-void makeCloudOf(vtkPointSet& set, pcl::PCLPointCloud2& cloud) {
+void makeCloudOf(vtkPolyData& set, pcl::PCLPointCloud2& cloud) {
   vtkDataArray& points = *set.GetPoints()->GetData();
   const std::uint8_t type = typeOf(points.GetDataType()) == Type::FLOAT64 ? Type::FLOAT64 : Type::FLOAT32;
   std::vector<CloudColumn> columns;
@@ -140,16 +144,15 @@ void makeCloudOf(vtkPointSet& set, pcl::PCLPointCloud2& cloud) {
   makeCloud(columns, cloud);
 }
 
+/// Runs a reader whose input is set.
 template <class Reader>
-void readWithVtk(const fs::path& file, pcl::PCLPointCloud2& cloud) {
+void readWithVtk(Reader& reader, const fs::path& file, pcl::PCLPointCloud2& cloud) {
   const auto counter = countErrors();
-  vtkNew<Reader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  if (counter->errors() > 0 || reader->GetErrorCode() != vtkErrorCode::NoError) {
+  reader.Update();
+  if (counter->errors() > 0 || reader.GetErrorCode() != vtkErrorCode::NoError) {
     throw fileError(file.string(), "is not a whole VTK file (cut off or damaged); copy or write it again");
   }
-  vtkPointSet* set = vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
+  vtkPolyData* set = reader.GetOutput();
   if (set == nullptr || set->GetNumberOfPoints() == 0) {
     throw fileError(file.string(), "holds no points; give a file with points");
   }
@@ -233,19 +236,28 @@ bool writeWithVtk(Writer& writer, const fs::path& file, const vtkSmartPointer<vt
 }  // namespace
 
 void readVtk(const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  checkVtkHeader(file);
-  readWithVtk<vtkGenericDataObjectReader>(file, cloud);
+  const std::string points = pointsOfLegacyVtk(readBytes(file), file.string());
+  if (points.size() > static_cast<std::size_t>(INT_MAX)) {
+    throw fileError(file.string(),
+                    "is larger than the 2 GB that VTK reads in this format; write .ply instead");
+  }
+  vtkNew<vtkPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetBinaryInputString(points.data(), static_cast<int>(points.size()));
+  readWithVtk(*reader.GetPointer(), file, cloud);
 }
 
 void readVtp(const fs::path& file, pcl::PCLPointCloud2& cloud) {
   checkVtpHeader(file);
-  readWithVtk<vtkXMLPolyDataReader>(file, cloud);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  readWithVtk(*reader.GetPointer(), file, cloud);
 }
 
 bool writeVtk(const fs::path& file, const pcl::PolygonMesh& mesh) {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetFileVersion(vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2);
-  writer->SetFileTypeToASCII();
+  writer->SetFileTypeToBinary();  // its text keeps six digits only
   return writeWithVtk(*writer.GetPointer(), file, makePolyData(mesh, true));
 }
 

@@ -17,9 +17,9 @@ void readVtk(const std::filesystem::path& file, pcl::PCLPointCloud2& cloud);
 /// The same of an XML file of polygons.
 void readVtp(const std::filesystem::path& file, pcl::PCLPointCloud2& cloud);
 
-/// Legacy text (version 4.2, which older programs read as well), XML, and binary STL. The triangles, and for
-/// the first two all fields of the vertices: colour as "Colors", normals as "Normals", others by name. False
-/// if the disk is full or the like.
+/// Legacy (binary, version 4.2, which older programs read as well), XML, and binary STL. The triangles, and
+/// for the first two all fields of the vertices: colour as "Colors", normals as "Normals", others by name.
+/// False if the disk is full or the like.
 bool writeVtk(const std::filesystem::path& file, const pcl::PolygonMesh& mesh);
 bool writeVtp(const std::filesystem::path& file, const pcl::PolygonMesh& mesh);
 bool writeStl(const std::filesystem::path& file, const pcl::PolygonMesh& mesh);

@@ -208,10 +208,14 @@ bool isRequest(const std::string& name) {
   return kRequests.count(name) != 0;
 }
 
+bool isFlag(const std::string& name) {
+  return name == "all-levels" || name == "no-reduction";
+}
+
 std::vector<Setting> commandLineSettings(const po::variables_map& values) {
   std::vector<Setting> settings;
   for (const auto& [name, value] : values) {
-    if (!isRequest(name)) settings.push_back({name, value.empty() ? "true" : value.as<std::string>(), ""});
+    if (!isRequest(name)) settings.push_back({name, isFlag(name) ? "true" : value.as<std::string>(), ""});
   }
   return settings;
 }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/vtk_legacy.h"
+
+#include "common/app_error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace mlsmesh::apps {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Walks over the lines and blocks of numbers of a legacy file.
+class LegacyWalk {
+ public:
+  LegacyWalk(const std::string& content, const std::string& file) : content_(content), file_(file) {
+    const Words version = nextLine();
+    if (content_.rfind("# vtk DataFile Version ", 0) != 0 || version.size() < 5) {
+      throw fileError(file_, "is not a legacy VTK file; give the file the extension of its format");
+    }
+    has_offsets_ = version[4] >= "5";
+    nextLine();
+    const Words storage = nextLine();
+    if (storage.size() != 1 || (storage[0] != "ASCII" && storage[0] != "BINARY"))
+      throw damaged("neither ASCII nor BINARY");
+    binary_ = storage[0] == "BINARY";
+  }
+
+  bool atEnd() const { return position_ >= content_.size(); }
+  std::size_t position() const { return position_; }
+  bool isBinary() const { return binary_; }
+  AppError damaged(const std::string& what) const {
+    return fileError(file_, "damaged VTK file, " + what + "; write the file again");
+  }
+
+  /// The words of the next line, the first one in capitals.
+  Words nextLine() {
+    const std::size_t end = std::min(content_.find('\n', position_), content_.size());
+    std::istringstream line(content_.substr(position_, std::min<std::size_t>(end - position_, 1000)));
+    position_ = end + 1;
+    Words words;
+    for (std::string word; line >> word;) words.push_back(word);
+    if (words.empty()) return {""};
+    for (char& c : words[0]) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return words;
+  }
+
+  std::size_t count(const Words& line, std::size_t index) const {
+    const std::string text = index < line.size() ? line[index] : "";
+    const bool number =
+        !text.empty() && text.size() < 16 && text.find_first_not_of("0123456789") == std::string::npos;
+    if (!number) throw damaged("the line '" + line[0] + "' lacks a count");
+    return std::stoull(text);
+  }
+
+  /// Steps over `values` numbers of a type.
+  void skipNumbers(std::size_t values, const std::string& type) {
+    if (binary_) skipBytes(values, sizeOf(type));
+    for (std::size_t i = 0; !binary_ && i < values; ++i) skipWord();
+  }
+
+  /// A list of cells: two counts, and as many numbers.
+  void skipCells(const Words& line) {
+    const std::size_t first = count(line, 1);
+    const std::size_t second = count(line, 2);
+    if (!has_offsets_) return skipNumbers(second, "int");
+    for (const std::size_t values : {first, second}) {
+      const Words block = nextLine();
+      if (block.size() == 2) skipNumbers(values, block[1]);
+    }
+  }
+
+  void skipFields(const Words& line) {
+    for (std::size_t i = 0; i < count(line, 2); ++i) {
+      const Words array = nextLine();
+      if (array.size() == 4) skipNumbers(count(array, 1) * count(array, 2), array[3]);
+    }
+  }
+
+ private:
+  std::size_t sizeOf(std::string type) const {
+    static const std::map<std::string, std::size_t> kSizes = {
+        {"char", 1},         {"unsigned_char", 1}, {"short", 2}, {"unsigned_short", 2}, {"int", 4},
+        {"unsigned_int", 4}, {"vtktypeint32", 4},  {"float", 4}, {"long", 8},           {"unsigned_long", 8},
+        {"vtkidtype", 4},    {"vtktypeint64", 8},  {"double", 8}};
+    std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
+    const auto found = kSizes.find(type);
+    if (found == kSizes.end()) throw damaged("unknown type '" + type + "'");
+    return found->second;
+  }
+
+  void skipBytes(std::size_t values, std::size_t bytes_each) {
+    if (values > (content_.size() - std::min(position_, content_.size())) / bytes_each) throw cutOff();
+    position_ += values * bytes_each;
+  }
+
+  void skipWord() {
+    const char* const blanks = " \t\r\n";
+    const std::size_t first = content_.find_first_not_of(blanks, position_);
+    if (first == std::string::npos) throw cutOff();
+    position_ = std::min(content_.find_first_of(blanks, first), content_.size());
+  }
+
+  AppError cutOff() const {
+    return fileError(file_, "is cut off: it holds fewer numbers than it announces; copy the file again");
+  }
+
+  const std::string& content_;
+  const std::string& file_;
+  std::size_t position_ = 0;
+  bool binary_ = false;
+  bool has_offsets_ = false;
+};
+
+bool isCellList(const std::string& keyword) {
+  static const Words kKeywords = {"VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS"};
+  return std::find(kKeywords.begin(), kKeywords.end(), keyword) != kKeywords.end();
+}
+
+/// Where the point data begin, from the present position on.
+std::size_t findPointData(const std::string& content, std::size_t from) {
+  const std::size_t found = content.find("\nPOINT_DATA", from > 0 ? from - 1 : 0);
+  return found == std::string::npos ? content.size() : found + 1;
+}
+
+}  // namespace
+
+std::string pointsOfLegacyVtk(const std::string& content, const std::string& file) {
+  LegacyWalk walk(content, file);
+  std::string points;
+  std::size_t point_data = content.size();
+  while (!walk.atEnd() && point_data == content.size()) {
+    const std::size_t start = walk.position();
+    const Words line = walk.nextLine();
+    if (line[0] == "POINTS") {
+      if (line.size() != 3) throw walk.damaged("the line POINTS is not whole");
+      walk.skipNumbers(3 * walk.count(line, 1), line[2]);
+      points = content.substr(start, walk.position() - start) + "\n";
+    } else if (line[0] == "FIELD") {
+      walk.skipFields(line);
+    } else if (isCellList(line[0])) {
+      walk.skipCells(line);
+    } else if (line[0] == "CELL_TYPES") {
+      walk.skipNumbers(walk.count(line, 1), "int");
+    } else if (line[0] == "CELL_DATA") {
+      point_data = findPointData(content, walk.position());
+      if (point_data == content.size()) break;
+    } else if (line[0] == "POINT_DATA") {
+      point_data = start;
+    }
+  }
+  if (points.empty()) throw fileError(file, "holds no POINTS; give a file with points");
+  const std::string heading = "# vtk DataFile Version 4.2\npoints\n";
+  const std::string storage = walk.isBinary() ? "BINARY\n" : "ASCII\n";
+  return heading + storage + "DATASET POLYDATA\n" + points + content.substr(point_data);
+}
+
+}  // namespace mlsmesh::apps
