@@ -15,7 +15,11 @@ namespace mlsmesh::core {
 
 namespace {
 
-/// The state that the threads of one loop share. No member throws.
+Failure cancelled() {
+  return {StatusCode::Cancelled, "cancelled through the progress handle; reset() it before another run"};
+}
+
+/// The state that the threads of one loop share.
 class BlockLoop {
  public:
   using Body = std::function<void(std::size_t first, std::size_t last)>;
@@ -25,7 +29,7 @@ class BlockLoop {
 
   std::size_t blockCount() const { return (count_ + block_ - 1) / block_; }
 
-  /// Runs a block unless an earlier one failed or the loop was cancelled.
+  /// Runs a block unless an earlier one failed or the loop was cancelled; keeps what it throws for finish().
   void run(std::size_t index, bool on_calling_thread) noexcept {
     if (index > failed_block_) return;
     if (progress_.cancelled()) {
@@ -43,7 +47,7 @@ class BlockLoop {
 
   void finish() {
     if (error_) std::rethrow_exception(error_);
-    if (cancelled_) throw Failure(StatusCode::Cancelled, "cancelled");
+    if (cancelled_) throw cancelled();
     progress_.advance(1.0);
   }
 
@@ -69,7 +73,7 @@ class BlockLoop {
 }  // namespace
 
 void Context::checkCancelled() const {
-  if (progress.cancelled()) throw Failure(StatusCode::Cancelled, "cancelled");
+  if (progress.cancelled()) throw cancelled();
 }
 
 int threadCount(int setting) {
