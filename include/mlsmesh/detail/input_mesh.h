@@ -21,9 +21,7 @@ struct InputMesh {
   std::vector<core::Vec3> position;  ///< world
   core::StoredAs stored_as = core::StoredAs::Float;
   std::vector<core::Triangle> triangles;
-  std::vector<core::Vec3>
-      area_normal;  ///< of each vertex, sum over its triangles; zero where no triangle uses it
-  std::vector<bool> used;
+  std::vector<bool> used;  ///< by a triangle, one entry a vertex
 };
 
 [[noreturn]] inline void failMesh(const std::string& what) {
@@ -76,13 +74,11 @@ inline InputMesh readMesh(const pcl::PolygonMesh::ConstPtr& input) {
   }
   mesh.triangles = trianglesOf(input->polygons, mesh.position.size());
   mesh.used.assign(mesh.position.size(), false);
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const core::Vec3 normal =
-        (mesh.position[b] - mesh.position[a]).cross(mesh.position[c] - mesh.position[a]);
-    for (const core::Index vertex : {a, b, c}) {
-      if (!mesh.position[vertex].allFinite())
+  for (const core::Triangle& triangle : mesh.triangles) {
+    for (const core::Index vertex : triangle) {
+      if (!mesh.position[vertex].allFinite()) {
         failMesh("input mesh: vertex " + std::to_string(vertex) + " is not finite");
-      mesh.area_normal[vertex] += normal;
+      }
       mesh.used[vertex] = true;
     }
   }
