@@ -3,6 +3,7 @@
 
 #include "common/app_error.h"
 #include "common/cloud_io.h"
+#include "common/command_line.h"
 #include "common/config_file.h"
 #include "common/mesh_io.h"
 #include "common/name_match.h"
@@ -22,6 +23,7 @@ namespace {
 namespace po = boost::program_options;
 
 constexpr int kMostThreads = 1024;
+constexpr unsigned kHelpWidth = 100;
 
 /// One value for one name, from a config file (`place` = "FILE:LINE: ") or the command line (`place` empty).
 struct Setting {
@@ -35,29 +37,32 @@ AppError usage(const std::string& place, const std::string& what) {
 }
 
 po::options_description visibleOptions() {
-  po::options_description options("Options");
-  options.add_options()("levels", po::value<std::string>()->value_name("N"),
-                        "refinement steps (refinement.levels), default 2; there is one mesh more than steps")(
-      "all-levels", "also write the mesh of every level: OUTPUT's stem with .L0, .L1, ...")(
-      "no-reduction", "triangulate the input points themselves (reduce = false)")(
-      "preset", po::value<std::string>()->value_name("NAME"), "default, paper or printed")(
-      "config", po::value<std::string>()->value_name("FILE"),
-      "read 'name = value' lines; what the command line says wins over the file")(
-      "threads", po::value<std::string>()->value_name("N"),
-      "threads, default 0 = all; the result is the same")(
-      "json", po::value<std::string>()->value_name("FILE"), "write counts, times and memory as JSON")(
-      "quiet", "print nothing but warnings and errors")(
-      "list-parameters", po::value<std::string>()->implicit_value("text")->value_name("FORMAT"),
-      "print all parameters as text, markdown or config (a config file), and end")(
-      "help,h", "print this help and end")("version", "print the version and end");
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description options("Options", kHelpWidth);
+  auto add = options.add_options();
+  add("levels", text("N"),
+      "refinement steps (refinement.levels), default 2; there is one mesh more than steps");
+  add("all-levels", "also write the mesh of every level: OUTPUT's stem with .L0, .L1, ...");
+  add("no-reduction", "triangulate the input points themselves (reduce = false)");
+  add("preset", text("NAME"), "default, paper or printed");
+  add("config", text("FILE"), "read 'name = value' lines; what the command line says wins over the file");
+  add("threads", text("N"), "threads, default 0 = all; the result is the same");
+  add("json", text("FILE"), "write counts, times and memory as JSON");
+  add("quiet", "print nothing but warnings and errors");
+  add("list-parameters", text("FORMAT")->implicit_value("text"),
+      "print all parameters as text, markdown or config (a config file), and end");
+  add("help,h", "print this help and end");
+  add("version", "print the version and end");
   return options;
 }
 
 po::options_description allOptions() {
   po::options_description options = visibleOptions();
-  options.add_options()("input", po::value<std::string>(), "")("output", po::value<std::string>(), "");
+  auto add = options.add_options();
+  add("input", po::value<std::string>(), "");
+  add("output", po::value<std::string>(), "");
   for (const Parameter& parameter : parameterTable()) {
-    options.add_options()(parameter.name.c_str(), po::value<std::string>(), parameter.help.c_str());
+    add(parameter.name.c_str(), po::value<std::string>(), parameter.help.c_str());
   }
   return options;
 }
@@ -82,41 +87,10 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 
-std::vector<std::string> optionNames() {
-  std::vector<std::string> names;
-  for (const auto& option : allOptions().options()) names.push_back(option->long_name());
-  return names;
-}
-
 std::vector<std::string> configNames() {
   std::vector<std::string> names = {"preset", "levels", "threads", "all-levels", "no-reduction"};
   for (const Parameter& parameter : parameterTable()) names.push_back(parameter.name);
   return names;
-}
-
-po::variables_map parseCommandLine(int argc, const char* const* argv) {
-  namespace style = po::command_line_style;
-  constexpr int kStyle = style::allow_long | style::long_allow_adjacent | style::long_allow_next |
-                         style::allow_long_disguise | style::allow_short | style::allow_dash_for_short |
-                         style::short_allow_next;
-  const po::options_description options = allOptions();
-  po::positional_options_description positions;
-  positions.add("input", 1).add("output", 1);
-  po::variables_map values;
-  try {
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positions).style(kStyle).run(),
-              values);
-  } catch (const po::unknown_option& error) {
-    const std::string name = error.get_option_name();
-    const std::size_t first = name.find_first_not_of('-');
-    throw usage("", "unknown option '" + name + "'" +
-                        suggestion(name.substr(first == std::string::npos ? 0 : first), optionNames()));
-  } catch (const po::too_many_positional_options_error&) {
-    throw usage("", "more than two file names; give one INPUT and one OUTPUT");
-  } catch (const po::error& error) {
-    throw usage("", error.what());
-  }
-  return values;
 }
 
 bool readFlag(const Setting& setting) {
@@ -247,7 +221,9 @@ void setFiles(const po::variables_map& values, Options& options) {
 }  // namespace
 
 Options parseOptions(int argc, const char* const* argv) {
-  const po::variables_map values = parseCommandLine(argc, argv);
+  po::positional_options_description positions;
+  positions.add("input", 1).add("output", 1);
+  const po::variables_map values = parseCommandLine(argc, argv, allOptions(), positions);
   Options options;
   options.quiet = values.count("quiet") != 0;
   options.config = textOf(values, "config");
