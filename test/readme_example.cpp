@@ -6,25 +6,25 @@
 #include <pcl/surface/gp3.h>
 
 int main(int argc, char** argv) {
-  pcl::PointCloud<pcl::PointNormal>::Ptr cloud(new pcl::PointCloud<pcl::PointNormal>);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   if (argc != 2 || pcl::io::load(argv[1], *cloud) < 0) return 1;
 
   pcl::PolygonMesh ours, theirs;
-  mlsmesh::MlsMultiresolution<pcl::PointNormal> multiresolution;  // needs no normals
+  mlsmesh::MlsMultiresolution<pcl::PointXYZ> multiresolution;
   multiresolution.setInputCloud(cloud);
   multiresolution.reconstruct(ours);
   if (!multiresolution.status().ok()) std::cerr << multiresolution.status().message << '\n';
 
+  pcl::PointCloud<pcl::PointNormal>::Ptr oriented(new pcl::PointCloud<pcl::PointNormal>);
+  pcl::copyPointCloud(*cloud, *oriented);
   pcl::NormalEstimation<pcl::PointNormal, pcl::PointNormal> normals;
-  normals.setInputCloud(cloud);
+  normals.setInputCloud(oriented);
   normals.setKSearch(20);
-  normals.compute(*cloud);
+  normals.compute(*oriented);
   pcl::GreedyProjectionTriangulation<pcl::PointNormal> gp3;
-  gp3.setInputCloud(cloud);
+  gp3.setInputCloud(oriented);
   gp3.setSearchRadius(5 * multiresolution.reconstruction().spacing);
   gp3.setMu(2.5);
   gp3.reconstruct(theirs);
-
-  std::cout << "ours " << ours.polygons.size() << ", GP3 " << theirs.polygons.size() << " triangles\n";
   return pcl::io::savePLYFileBinary("ours.ply", ours) + pcl::io::savePLYFileBinary("gp3.ply", theirs);
 }
