@@ -21,7 +21,8 @@ MultiresolutionParameters paperPreset() {
   paper.triangulation.seeds = SeedRule::SingleTriangle;
 
   paper.refinement.test = RefinementTest::MeanOffset;
-  paper.refinement.threshold = 0.02;
+  paper.refinement.threshold = 0.015;
+  paper.refinement.min_edge_ratio = 0.45;
   paper.refinement.flips = FlipRule::Length;
   return paper;
 }

@@ -28,6 +28,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr int kMaxCorners = 64;
 constexpr int kNormalNeighbors = 12;
 constexpr double kTieWeight = 1e-5;
+constexpr double kReachSlack = 1.01;  // a tied neighbour may still cut the cell by its weight
 
 // A convex polygon round the origin; edge i runs from corner i to corner i + 1 and belongs to neighbour
 // label[i].
@@ -108,7 +109,7 @@ class StarBuilder {
       const Index q = row[i];
       const Vec3 d = points_[q] - points_[p];
       const double squared = d.squaredNorm();
-      if (squared > 4 * squared_radius) break;
+      if (squared > kReachSlack * 4 * squared_radius) break;
       const double limit = length_factor_ * std::max(spacing_[p], spacing_[q]);
       if (squared > limit * limit) continue;
       cell.clip(Vec2(2 * d.dot(u), 2 * d.dot(v)), squared + own_weight - tieWeight(q, spacing_[q]), q);
