@@ -15,6 +15,7 @@
 #include <vtkCleanPolyData.h>
 #include <vtkIdList.h>
 #include <vtkOBJReader.h>
+#include <vtkPCANormalEstimation.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
@@ -23,11 +24,15 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace mlsmesh::apps {
 namespace {
+
+constexpr int kShadingNeighbors = 16;
+constexpr vtkIdType kMaxShadedPoints = 3000000;
 
 template <typename Reader>
 vtkSmartPointer<vtkPolyData> readWith(const std::filesystem::path& file) {
@@ -101,6 +106,18 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh) {
   return normals->GetOutput();
 }
 
+/// Normals for the shading of a cloud; their signs mean nothing.
+vtkSmartPointer<vtkPolyData> withEstimatedNormals(vtkPolyData* cloud) {
+  if (cloud->GetNumberOfPoints() < kShadingNeighbors || cloud->GetNumberOfPoints() > kMaxShadedPoints)
+    return cloud;
+  vtkNew<vtkPCANormalEstimation> normals;
+  normals->SetInputData(cloud);
+  normals->SetSampleSize(kShadingNeighbors);
+  normals->SetNormalOrientationToPoint();
+  normals->Update();
+  return normals->GetOutput();
+}
+
 /// STL repeats every vertex for each triangle: one of each, for smooth shading and for borders.
 vtkSmartPointer<vtkPolyData> merged(vtkPolyData* soup) {
   vtkNew<vtkCleanPolyData> cleaner;
@@ -110,47 +127,48 @@ vtkSmartPointer<vtkPolyData> merged(vtkPolyData* soup) {
   return cleaner->GetOutput();
 }
 
-void addColors(const pcl::PCLPointCloud2& cloud, vtkPolyData& data) {
-  const std::vector<FieldSlot> slots = fieldSlots(cloud);
-  const std::array<const FieldSlot*, 3> components{findSlot(slots, "red"), findSlot(slots, "green"),
-                                                   findSlot(slots, "blue")};
-  if (components[0] == nullptr || components[1] == nullptr || components[2] == nullptr) return;
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("RGB");
-  colors->SetNumberOfComponents(3);
-  for (std::size_t i = 0; i < pointCount(cloud); ++i) {
-    for (const FieldSlot* component : components) {
-      colors->InsertNextValue(static_cast<unsigned char>(slotValue(cloud, *component, i)));
-    }
-  }
-  data.GetPointData()->SetScalars(colors);
+/// The slots of those names, in order; empty if one is missing.
+std::vector<const FieldSlot*> findSlots(const std::vector<FieldSlot>& slots,
+                                        const std::vector<std::string>& names) {
+  std::vector<const FieldSlot*> found;
+  for (const std::string& name : names) found.push_back(findSlot(slots, name));
+  const bool complete = std::find(found.begin(), found.end(), nullptr) == found.end();
+  return complete ? found : std::vector<const FieldSlot*>();
 }
 
+/// The finite points, with their colours if they have any.
 vtkSmartPointer<vtkPolyData> readPoints(const std::filesystem::path& file) {
   pcl::PCLPointCloud2 cloud;
   readCloud(file, cloud);
   const std::vector<FieldSlot> slots = fieldSlots(cloud);
+  const std::vector<const FieldSlot*> position = findSlots(slots, {"x", "y", "z"});
+  const std::vector<const FieldSlot*> color = findSlots(slots, {"red", "green", "blue"});
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("RGB");
+  colors->SetNumberOfComponents(3);
   for (std::size_t i = 0; i < pointCount(cloud); ++i) {
-    points->InsertNextPoint(slotValue(cloud, *findSlot(slots, "x"), i),
-                            slotValue(cloud, *findSlot(slots, "y"), i),
-                            slotValue(cloud, *findSlot(slots, "z"), i));
+    std::array<double, 3> place{};
+    std::transform(position.begin(), position.end(), place.begin(),
+                   [&](const FieldSlot* slot) { return slotValue(cloud, *slot, i); });
+    if (!std::isfinite(place[0] + place[1] + place[2])) continue;
+    points->InsertNextPoint(place.data());
+    for (const FieldSlot* slot : color)
+      colors->InsertNextValue(static_cast<unsigned char>(slotValue(cloud, *slot, i)));
   }
-  vtkNew<vtkPolyData> data;
+  if (points->GetNumberOfPoints() == 0)
+    throw fileError(file.string(), "holds no finite point; nothing to draw");
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
-  addColors(cloud, *data);
+  if (!color.empty()) data->GetPointData()->SetScalars(colors);
   return data;
 }
 
-/// One vertex cell for each point that can be drawn.
+/// One vertex cell for each point.
 void setVertexCells(vtkPolyData& cloud) {
   vtkNew<vtkCellArray> cells;
-  for (vtkIdType i = 0; i < cloud.GetNumberOfPoints(); ++i) {
-    const double* place = cloud.GetPoint(i);
-    if (std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]))
-      cells->InsertNextCell(1, &i);
-  }
+  for (vtkIdType i = 0; i < cloud.GetNumberOfPoints(); ++i) cells->InsertNextCell(1, &i);
   cloud.SetVerts(cells);
 }
 
@@ -166,10 +184,8 @@ Drawing readDrawing(const std::filesystem::path& file) {
     if (extensionOf(file) == "stl") drawing.data = merged(drawing.data);
     drawing.data = withNormals(drawing.data);
   } else {
-    drawing.data = readPoints(file);
+    drawing.data = withEstimatedNormals(readPoints(file));
     setVertexCells(*drawing.data);
-    if (drawing.data->GetNumberOfVerts() == 0)
-      throw fileError(file.string(), "holds no finite point; nothing to draw");
   }
   drawing.title = file.filename().string() + "   " +
                   (drawing.is_mesh ? std::to_string(drawing.data->GetNumberOfPolys()) + " faces"

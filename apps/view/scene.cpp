@@ -2,12 +2,16 @@
 #include "view/scene.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkCoordinate.h>
 #include <vtkFeatureEdges.h>
 #include <vtkLightKit.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +20,10 @@ namespace mlsmesh::apps {
 namespace {
 
 constexpr int kMaxColumns = 4;
+constexpr double kPi = 3.141592653589793;
 constexpr double kViewAngle = 25.0;  // degrees
+constexpr double kMargin = 1.08;     // of the scene's extent on the screen
+constexpr double kDotShare = 1.5;
 
 vtkSmartPointer<vtkActor> makeSurface(const Drawing& drawing, const ViewOptions& options, double pixels) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -27,17 +34,22 @@ vtkSmartPointer<vtkActor> makeSurface(const Drawing& drawing, const ViewOptions&
   look.SetColor(0.62, 0.70, 0.80);
   look.SetSpecular(0.2);
   look.SetSpecularPower(25.0);
-  look.SetEdgeColor(0.15, 0.17, 0.2);
+  look.SetEdgeColor(0.2, 0.23, 0.27);
   look.SetInterpolationToPhong();
   if (drawing.is_mesh) {
+    if (options.flat) look.SetInterpolationToFlat();
     look.SetEdgeVisibility(options.edges);
     if (options.wireframe) look.SetRepresentationToWireframe();
     return actor;
   }
   // Dots as wide as the points are apart on the screen, so that a cloud looks like its surface.
   const auto count = static_cast<double>(drawing.data->GetNumberOfVerts());
-  look.SetPointSize(static_cast<float>(std::clamp(0.9 * pixels / std::sqrt(count), 2.0, 12.0)));
-  look.SetRenderPointsAsSpheres(true);
+  look.SetPointSize(static_cast<float>(std::clamp(kDotShare * pixels / std::sqrt(count), 2.0, 12.0)));
+  if (drawing.data->GetPointData()->GetNormals() == nullptr) return actor;
+  // Their normals have no side, so they are turned towards the viewer.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Normal::Impl", true,
+      "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) normalVCVSOutput = -normalVCVSOutput;\n", false);
   return actor;
 }
 
@@ -65,7 +77,8 @@ vtkSmartPointer<vtkTextActor> makeLabel(const std::string& title, double pixels)
   label->SetInput(title.c_str());
   label->GetTextProperty()->SetColor(0.2, 0.2, 0.25);
   label->GetTextProperty()->SetFontSize(std::clamp(static_cast<int>(pixels / 34.0), 9, 28));
-  label->SetDisplayPosition(12, 10);
+  label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  label->SetPosition(0.02, 0.02);
   return label;
 }
 
@@ -94,6 +107,8 @@ Scene::Pane Scene::makePane(const Drawing& drawing) {
   pane.renderer->SetBackground2(0.88, 0.91, 0.95);
   pane.renderer->GradientBackgroundOn();
   vtkNew<vtkLightKit> lights;
+  lights->SetKeyLightIntensity(1.0);
+  lights->SetKeyLightWarmth(0.52);
   lights->AddLightsToRenderer(pane.renderer);
   pane.surface = makeSurface(drawing, options_, paneExtent());
   pane.renderer->AddActor(pane.surface);
@@ -112,16 +127,36 @@ void Scene::placeCamera(const std::vector<Drawing>& drawings) {
   for (const Drawing& drawing : drawings) box.AddBounds(drawing.data->GetBounds());
   std::array<double, 3> center{};
   box.GetCenter(center.data());
+  const Eigen::Vector3d focus(center.data());
+  const Eigen::Vector3d from = Eigen::Vector3d(options_.from.data()).normalized();
+  const double distance = fittingDistance(drawings, focus, from) / options_.zoom;
+  const Eigen::Vector3d position = focus + distance * from;
   camera_->SetViewAngle(kViewAngle);
-  camera_->SetFocalPoint(center.data());
-  camera_->SetPosition(center[0] + options_.from[0], center[1] + options_.from[1],
-                       center[2] + options_.from[2]);
+  camera_->SetFocalPoint(focus.data());
+  camera_->SetPosition(position.data());
   camera_->SetViewUp(options_.up.data());
   std::array<double, 6> bounds{};
   box.GetBounds(bounds.data());
-  panes_.front().renderer->ResetCamera(bounds.data());
-  camera_->Zoom(options_.zoom);
   for (const Pane& pane : panes_) pane.renderer->ResetCameraClippingRange(bounds.data());
+}
+
+double Scene::fittingDistance(const std::vector<Drawing>& drawings, const Eigen::Vector3d& focus,
+                              const Eigen::Vector3d& from) const {
+  const Eigen::Vector3d right = Eigen::Vector3d(options_.up.data()).cross(from).normalized();
+  const Eigen::Vector3d up = from.cross(right);
+  const double aspect =
+      (static_cast<double>(options_.size[0]) / columns_) / (static_cast<double>(options_.size[1]) / rows_);
+  const double slope = std::tan(0.5 * kViewAngle * kPi / 180.0) / kMargin;
+  double distance = 0.0;
+  for (const Drawing& drawing : drawings) {
+    for (vtkIdType i = 0; i < drawing.data->GetNumberOfPoints(); ++i) {
+      const Eigen::Vector3d place = Eigen::Vector3d(drawing.data->GetPoint(i)) - focus;
+      const double needed =
+          std::max(std::abs(place.dot(up)), std::abs(place.dot(right)) / aspect) / slope + place.dot(from);
+      if (std::isfinite(needed)) distance = std::max(distance, needed);
+    }
+  }
+  return distance > 0.0 ? distance : 1.0;
 }
 
 void Scene::showAll() {

@@ -26,6 +26,7 @@ po::options_description describeOptions() {
   add("view", text("NAME"), "front, back, left, right, top, bottom or iso (default iso)");
   add("up", text("AXIS"), "x, y or z points up (default y)");
   add("zoom", text("FACTOR"), "larger than 1: nearer (default 1)");
+  add("flat", po::bool_switch(), "one shade a triangle, instead of smooth shading");
   add("edges", po::bool_switch(), "draw the edges of the triangles on them");
   add("wireframe", po::bool_switch(), "draw the edges alone");
   add("borders", po::bool_switch(), "highlight borders and edges of more than two triangles");
@@ -120,6 +121,7 @@ ViewOptions readViewOptions(int argc, const char* const* argv) {
       values.count("size") > 0 ? sizeFromText(textOf(values, "size", "")) : defaultSize(options.files.size());
   setDirection(textOf(values, "view", "iso"), textOf(values, "up", "y"), options);
   options.zoom = zoomFromText(textOf(values, "zoom", "1"));
+  options.flat = values["flat"].as<bool>();
   options.edges = values["edges"].as<bool>();
   options.wireframe = values["wireframe"].as<bool>();
   options.borders = values["borders"].as<bool>();

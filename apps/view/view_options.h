@@ -18,6 +18,7 @@ struct ViewOptions {
   std::array<double, 3> from{};      ///< direction from the middle of the scene to the camera
   std::array<double, 3> up{};
   double zoom = 1.0;
+  bool flat = false;
   bool edges = false;
   bool wireframe = false;
   bool borders = false;

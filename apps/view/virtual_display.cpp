@@ -33,7 +33,7 @@ AppError displayError(const std::string& what) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null_fd, stream);
   fcntl(number_fd, F_SETFD, 0);
   execlp("Xvfb", "Xvfb", "-displayfd", number_fd_text, "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
-         static_cast<char*>(nullptr));
+         "-noreset", static_cast<char*>(nullptr));
   _exit(127);
 }
 
