@@ -62,8 +62,8 @@ void addSide(Solid& solid, double side) {
   addTube(solid,
           {{place(0.66, 1.06, 0.17), 0.055},
            {place(0.86, 0.92, 0.24), 0.05},
-           {place(1.06, 0.92, 0.28), 0.036},
-           {place(1.18, 1.04, 0.28), 0.02}},
+           {place(1.06, 0.92, 0.28), 0.04},
+           {place(1.18, 1.04, 0.28), 0.03}},
           0.05, kIvory);
   solid.add(std::make_unique<Ellipsoid>(place(0.66, 1.36, 0.215), Vec3(0.055, 0.06, 0.055)), 0.025, kEye);
   addTube(solid,
