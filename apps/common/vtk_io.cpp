@@ -41,7 +41,7 @@ class ErrorCounter : public vtkOutputWindow {
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char*) override { ++errors_; }
   void DisplayWarningText(const char*) override { ++errors_; }
-  void DisplayGenericWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override { ++errors_; }
   void DisplayDebugText(const char*) override {}
   int errors() const { return errors_; }
 

@@ -84,7 +84,7 @@ std::string helpText() {
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
   const std::string nearest = nearestName(name, names);
-  return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
+  return nearest.empty() ? "; --list-parameters prints all names" : "; did you mean '" + nearest + "'?";
 }
 
 std::vector<std::string> configNames() {
