@@ -91,14 +91,14 @@ class Splitter {
 
   // Reorders [first, last) and returns where its second part begins, or `last` when no legal cut exists.
   Index cut(Index first, Index last, const Shape& shape) {
+    const Index least = parameters_.min_leaf;
+    if (last - first < 2 * least) return last;
     const auto side = [&](Index i) { return (points_[i] - shape.centroid).dot(shape.split_normal); };
     const auto begin = order_.begin() + first;
     const auto end = order_.begin() + last;
     const Index middle = static_cast<Index>(
         std::stable_partition(begin, end, [&](Index i) { return side(i) < 0; }) - order_.begin());
-    const Index least = parameters_.min_leaf;
     if (middle - first >= least && last - middle >= least) return middle;
-    if (last - first < 2 * least) return last;
     const Index moved = middle - first < least ? first + least : last - least;
     std::nth_element(begin, order_.begin() + moved, end, [&](Index a, Index b) {
       return std::make_pair(side(a), a) < std::make_pair(side(b), b);
