@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What takes longer than .ci/run: both compilers with warnings as errors, the whole suite with both, the core's tests
+# under the sanitizers, every cloud of the data.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+install_packages "$root/scripts/packages.txt" "$root/scripts/packages_check_all.txt"
+"$root/scripts/check_includes.sh"
+
+for preset in dev clang; do
+  echo "== $preset"
+  build_preset "$preset"
+  ctest --test-dir "$root/build/$preset" --output-on-failure -j "$jobs"
+done
+
+echo "== asan"
+build_preset asan mlsmesh_core_tests
+"$root/build/asan/bin/mlsmesh_core_tests" --gtest_brief=1
+
+echo "== data"
+build_preset release
+"$root/scripts/check_data.sh" --all
+echo "check_all: passed"
