@@ -20,8 +20,9 @@ namespace mlsmesh {
 /// Normals of the input, if it has any, are ignored. Polygons are triangles that index the whole input cloud,
 /// also when setIndices chooses some of its points; points that are not finite, that repeat another, or where
 /// no triangle fits stay unused. Every edge has one or two triangles, in opposite directions, every vertex
-/// one fan; closed components face outward. A search method serves to measure the cloud's spacing; the
-/// candidates of the front are found by the built-in search. O(n log n).
+/// one fan; closed components face outward. Same points and parameters, same triangles, for any number of
+/// threads, any exact search method, and, but for the numbers of the points, any order of the input. O(n log
+/// n).
 template <typename PointInT>
 class AdvancingFrontTriangulation : public detail::Step<pcl::MeshConstruction<PointInT>> {
  public:
@@ -80,8 +81,9 @@ class AdvancingFrontTriangulation : public detail::Step<pcl::MeshConstruction<Po
     const core::Triangulation result = core::triangulate(input, parameters_, context);
     std::vector<pcl::Vertices> polygons(result.triangles.size());
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-      for (const core::Index corner : result.triangles[i])
+      for (const core::Index corner : result.triangles[i]) {
         polygons[i].vertices.push_back(points.source[corner]);
+      }
     }
     statistics_ = result.statistics;
     return polygons;

@@ -106,6 +106,7 @@ inline core::RefinedMesh levelZero(const InputMesh& input, const core::PointSet&
       if (!input.used[i]) continue;
       const core::Projection projection = surface.project(mesh.position[i]);
       mesh.nearest[i] = projection.nearest;
+      if (!projection.normal.allFinite()) continue;
       mesh.normal[i] = projection.normal.dot(mesh.normal[i]) < 0 ? -projection.normal : projection.normal;
     }
   });
