@@ -11,8 +11,12 @@ fault() {
   faults=$((faults + 1))
 }
 
-foreign=$(grep -rnE '#include [<"](pcl|vtk|boost)' include/mlsmesh/core src/core || true)
-[ -z "$foreign" ] || fault "the core must not include PCL, VTK or Boost: $foreign"
+foreign=$(grep -rnE '#include [<"](pcl|vtk|boost|X11|nlohmann)' include/mlsmesh/core src/core || true)
+[ -z "$foreign" ] || fault "the core knows Eigen, FLANN and the standard library only: $foreign"
+
+plain='core/[a-z_]+|parameters|status|progress|mesh_report|version'
+upward=$(grep -rnE '#include "(mlsmesh|apps)/' include/mlsmesh/core src/core | grep -vE "\"mlsmesh/($plain)\.h\"" || true)
+[ -z "$upward" ] || fault "the core must not include what stands above it: $upward"
 
 flann=$(grep -rlE '#include [<"]flann' include src apps || true)
 [ "$(wc -w <<< "$flann")" -le 1 ] || fault "FLANN belongs in one file, not in: $flann"
