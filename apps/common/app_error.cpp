@@ -25,10 +25,11 @@ std::string oneLine(const std::string& text) {
   std::string line;
   for (const char c : text) {
     const bool blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
-    if (!blank)
+    if (!blank) {
       line.push_back(c);
-    else if (!line.empty() && line.back() != ' ')
+    } else if (!line.empty() && line.back() != ' ') {
       line.push_back(' ');
+    }
     if (line.size() == kLongestLine) return line + " ...";
   }
   if (!line.empty() && line.back() == ' ') line.pop_back();

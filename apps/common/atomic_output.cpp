@@ -53,7 +53,7 @@ void checkTarget(const fs::path& target) {
 fs::path createTemporary(const fs::path& folder, const fs::path& target) {
   static std::atomic<int> counter{0};
   for (;;) {
-    const fs::path name =
+    fs::path name =
         folder / (".mlsmesh-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".tmp");
     const int file = open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {

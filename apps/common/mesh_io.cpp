@@ -131,10 +131,11 @@ void putNumbers(const pcl::PCLPointCloud2& cloud, const SlotTriple& slots, std::
   for (const FieldSlot* slot : slots) {
     sink.text(" ");
     const double value = slotValue(cloud, *slot, point);
-    if (slot->datatype == Type::FLOAT32)
+    if (slot->datatype == Type::FLOAT32) {
       sink.number(static_cast<float>(value));
-    else
+    } else {
       sink.number(value);
+    }
   }
 }
 

@@ -54,7 +54,7 @@ vtkStandardNewMacro(ErrorCounter);
 /// Puts an ErrorCounter in place of VTK's window, and silences VTK's log.
 vtkSmartPointer<ErrorCounter> countErrors() {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  const auto counter = vtkSmartPointer<ErrorCounter>::New();
+  auto counter = vtkSmartPointer<ErrorCounter>::New();
   vtkOutputWindow::SetInstance(counter);
   return counter;
 }
@@ -202,15 +202,16 @@ void addPointData(const pcl::PCLPointCloud2& cloud, const std::vector<FieldSlot>
   }
   if (isWhole(normals)) data.SetNormals(makeArray(cloud, "Normals", normals));
   if (!isWhole(colors)) return;
-  if (alpha)
+  if (alpha) {
     data.SetScalars(makeArray<4>(cloud, "Colors", {colors[0], colors[1], colors[2], alpha}));
-  else
+  } else {
     data.SetScalars(makeArray(cloud, "Colors", colors));
+  }
 }
 
 vtkSmartPointer<vtkPolyData> makePolyData(const pcl::PolygonMesh& mesh, bool with_point_data) {
   const std::vector<FieldSlot> slots = fieldSlots(mesh.cloud);
-  const auto poly_data = vtkSmartPointer<vtkPolyData>::New();
+  auto poly_data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetData(makeArray(mesh.cloud, "Points", findSlots(slots, "x", "y", "z")));
   poly_data->SetPoints(points);

@@ -205,6 +205,14 @@ std::string parameterList(const std::string& format, const MultiresolutionParame
   throw usage("", "unknown format '" + format + "' of --list-parameters; allowed: text, markdown or config");
 }
 
+/// Help, version or list, if one was asked for; otherwise empty.
+std::string textToPrint(const po::variables_map& values, const MultiresolutionParameters& parameters) {
+  if (values.count("help")) return helpText();
+  if (values.count("version")) return std::string(kProgram) + " " + MLSMESH_VERSION + "\n";
+  if (values.count("list-parameters")) return parameterList(textOf(values, "list-parameters"), parameters);
+  return {};
+}
+
 void setFiles(const po::variables_map& values, Options& options) {
   options.input = textOf(values, "input");
   options.output = textOf(values, "output");
@@ -234,16 +242,12 @@ Options parseOptions(int argc, const char* const* argv) {
   choosePreset(from_user, options);
   applyAll(from_file, options);
   applyAll(from_user, options);
-  if (values.count("help"))
-    options.text = helpText();
-  else if (values.count("version"))
-    options.text = std::string(kProgram) + " " + MLSMESH_VERSION + "\n";
-  else if (values.count("list-parameters"))
-    options.text = parameterList(textOf(values, "list-parameters"), options.parameters);
-  if (options.text.empty())
+  options.text = textToPrint(values, options.parameters);
+  if (options.text.empty()) {
     setFiles(values, options);
-  else
+  } else {
     options.action = Action::Print;
+  }
   return options;
 }
 

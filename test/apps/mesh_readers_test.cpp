@@ -18,7 +18,7 @@ class MeshReaders : public ReconstructTest {
   /// Writes the sphere in the format and returns its path.
   std::string write(const std::string& extension) const {
     const std::string input = folder_.write("sphere.ply", spherePly(2000));
-    const std::string output = folder_.file("out." + extension);
+    std::string output = folder_.file("out." + extension);
     run({input, output, "--quiet"});
     return output;
   }

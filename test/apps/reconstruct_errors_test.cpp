@@ -203,20 +203,20 @@ TEST_F(ReconstructErrors, ParametersOutOfRange) {
 
 TEST_F(ReconstructErrors, Configs) {
   const std::string input = sphere();
-  const auto expectConfig = [&](const std::string& content, const std::string& place,
-                                const std::string& word) {
+  const auto expect_config = [&](const std::string& content, const std::string& place,
+                                 const std::string& word) {
     const std::string config = folder_.write("run.cfg", content);
     expectError({input, folder_.file("out.ply"), "--config", config}, 2, place, word);
   };
-  expectConfig("# a comment\nlevels = 1\nrefinement.level = 2\n", "run.cfg:3",
-               "did you mean 'refinement.levels'");
-  expectConfig("levels = 20\n", "run.cfg:1", "0 .. 10");
-  expectConfig("levels 2\n", "run.cfg:1", "key = value");
-  expectConfig("levels =\n", "run.cfg:1", "key = value");
-  expectConfig("levels = 1\n\nlevels = 2\n", "run.cfg:3", "twice");
-  expectConfig("levels = 1\nrefinement.levels = 2\n", "run.cfg:2", "keep one");
-  expectConfig("preset = nice\n", "run.cfg:1", "printed");
-  expectConfig("output = x.ply\n", "run.cfg:1", "unknown");
+  expect_config("# a comment\nlevels = 1\nrefinement.level = 2\n", "run.cfg:3",
+                "did you mean 'refinement.levels'");
+  expect_config("levels = 20\n", "run.cfg:1", "0 .. 10");
+  expect_config("levels 2\n", "run.cfg:1", "key = value");
+  expect_config("levels =\n", "run.cfg:1", "key = value");
+  expect_config("levels = 1\n\nlevels = 2\n", "run.cfg:3", "twice");
+  expect_config("levels = 1\nrefinement.levels = 2\n", "run.cfg:2", "keep one");
+  expect_config("preset = nice\n", "run.cfg:1", "printed");
+  expect_config("output = x.ply\n", "run.cfg:1", "unknown");
   expectError({input, folder_.file("out.ply"), "--config", folder_.file("no.cfg")}, 2, "no.cfg",
               "no such file");
 }
@@ -258,13 +258,13 @@ TEST_F(ReconstructErrors, Permissions) {
 
 TEST_F(ReconstructErrors, FullDiskLeavesTheOldFileAlone) {
   const std::string input = sphere();
-  const auto limitFileSize = [] {
+  const auto limit_file_size = [] {
     const rlimit limit = {5000, 5000};
     return setrlimit(RLIMIT_FSIZE, &limit) == 0;
   };
   for (const char* name : {"out.ply", "out.obj", "out.stl", "out.vtk", "out.vtp"}) {
     const std::string output = folder_.write(name, "old");
-    const Outcome outcome = run({input, output, "--json", folder_.file("r.json")}, limitFileSize);
+    const Outcome outcome = run({input, output, "--json", folder_.file("r.json")}, limit_file_size);
     EXPECT_EQ(outcome.exit_code, 1) << name;
     EXPECT_NE(outcome.err.find("disk full"), std::string::npos) << outcome.err;
     EXPECT_EQ(readFile(output), "old");

@@ -208,21 +208,21 @@ TEST_F(Reconstruct, CommandLineOverConfigOverPreset) {
   const std::string config = folder_.write(
       "run.cfg",
       "# an example\npreset = printed # with a comment\nlevels=1\r\n\n  triangulation.neighbors = 18\n");
-  const auto parametersOf = [&](std::vector<std::string> more) {
+  const auto parameters_of = [&](std::vector<std::string> more) {
     std::vector<std::string> arguments = {input,    folder_.file("out.ply"), "--config", config,
                                           "--json", folder_.file("r.json"),  "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run(arguments).exit_code, 0);
     return readJson("r.json");
   };
-  const Json from_file = parametersOf({});
+  const Json from_file = parameters_of({});
   EXPECT_EQ(from_file["preset"], "printed");
   EXPECT_EQ(from_file["parameters"]["triangulation.order"], "first_in_first_out");
   EXPECT_EQ(from_file["parameters"]["triangulation.neighbors"], 18);
   EXPECT_EQ(from_file["parameters"]["refinement.levels"], 1);
   EXPECT_EQ(from_file["levels"].size(), 2u);
   const Json over =
-      parametersOf({"-preset", "default", "--refinement.levels=0", "-triangulation.restart", "off"});
+      parameters_of({"-preset", "default", "--refinement.levels=0", "-triangulation.restart", "off"});
   EXPECT_EQ(over["preset"], "default");
   EXPECT_EQ(over["parameters"]["triangulation.order"], "priority");
   EXPECT_EQ(over["parameters"]["triangulation.neighbors"], 18);

@@ -10,8 +10,8 @@ namespace mlsmesh::test {
 
 /// A point of the unit sphere, its colour (the position, scaled to bytes) and its label (the octant).
 struct SpherePoint {
-  std::array<double, 3> position;
-  std::array<int, 3> color;
+  std::array<double, 3> position = {};
+  std::array<int, 3> color = {};
   int label = 0;
 };
 
