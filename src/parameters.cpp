@@ -18,6 +18,8 @@ MultiresolutionParameters paperPreset() {
   paper.projection.support_rule = SupportRule::NearestDistance;
   paper.projection.support_factor = 3;
 
+  paper.noise.adapt = false;
+
   paper.triangulation.seeds = SeedRule::SingleTriangle;
 
   paper.refinement.test = RefinementTest::MeanOffset;

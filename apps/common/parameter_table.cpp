@@ -216,11 +216,23 @@ void addRefinement(std::vector<Parameter>& table) {
            "flips keep convexity, normals and bend; false: only the topology");
 }
 
+void addNoise(std::vector<Parameter>& table) {
+  using Step = NoiseParameters;
+  StepRows<Step> rows(table, "noise.", &All::noise);
+  rows.add("adapt", &Step::adapt,
+           "let the noise of the cloud choose support, projection passes and threshold");
+  rows.add("sigma", &Step::sigma, Limits{-1, 1000, false},
+           "standard deviation of the points about the surface, in spacings; negative = estimated");
+  rows.add("residual_limit", &Step::residual_limit, kNotNegative,
+           "a fit that misses its points by more than this * sigma shrinks its support; 0 = never");
+}
+
 std::vector<Parameter> makeTable() {
   std::vector<Parameter> table;
   addGeneral(table);
   addClustering(table);
   addProjection(table);
+  addNoise(table);
   addReduction(table);
   addTriangulation(table);
   addRefinement(table);

@@ -162,12 +162,20 @@ struct RefinementParameters {
   bool flip_guard = true;  ///< flips must keep convexity, normals and bend; false: topology alone, as printed
 };
 
+/// What the noise of the cloud, estimated once, changes in the other steps. It leaves clean clouds alone.
+struct NoiseParameters {
+  bool adapt = true;            ///< false: every cloud is taken as clean
+  double sigma = -1;            ///< standard deviation about the surface, in spacings; negative: estimated
+  double residual_limit = 1.35; ///< a fit that misses its points by more * sigma shrinks its support; 0 = never
+};
+
 /// All four steps.
 struct MultiresolutionParameters {
   bool reduce = true;            ///< false: triangulate the input points themselves
   int min_representatives = 50;  ///< clusters shrink until there are so many, down to single points, >= 3
   ClusteringParameters clustering;
   ProjectionParameters projection;  ///< one Psi for reduction and refinement
+  NoiseParameters noise;
   ReductionParameters reduction;
   TriangulationParameters triangulation;
   RefinementParameters refinement;

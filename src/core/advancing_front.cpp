@@ -47,8 +47,7 @@ class Front {
  public:
   Front(const FrontInput& input, const TriangulationParameters& parameters, const Context& context,
         HalfEdgeMesh& mesh, FrontStatistics& statistics)
-      : input_(input),
-        parameters_(parameters),
+      : parameters_(parameters),
         context_(context),
         mesh_(mesh),
         rules_(input, mesh, parameters),
@@ -118,7 +117,6 @@ class Front {
     }
   }
 
-  FrontInput input_;
   const TriangulationParameters& parameters_;
   const Context& context_;
   HalfEdgeMesh& mesh_;

@@ -122,11 +122,11 @@ IndexLists mergeClusters(const IndexLists& clusters, const std::vector<Index>& s
   return merged;
 }
 
-void dropCoincident(Representatives& representatives, IndexLists& clusters) {
-  const std::vector<Index> same_as = coincident(representatives.position);
+// Drops every representative i with joins[i] != kNone; its members join that one, which is kept.
+void dropJoined(const std::vector<Index>& joins, Representatives& representatives, IndexLists& clusters) {
   std::vector<Index> kept;
   for (Index i = 0; i < representatives.size(); ++i) {
-    if (same_as[i] == kNone) kept.push_back(i);
+    if (joins[i] == kNone) kept.push_back(i);
   }
   if (static_cast<Index>(kept.size()) == representatives.size()) return;
   keepOnly(kept, representatives.position);
@@ -135,7 +135,7 @@ void dropCoincident(Representatives& representatives, IndexLists& clusters) {
   keepOnly(kept, representatives.spacing);
   keepOnly(kept, representatives.nearest);
   keepOnly(kept, representatives.kind);
-  clusters = mergeClusters(clusters, same_as);
+  clusters = mergeClusters(clusters, joins);
 }
 
 }  // namespace
@@ -163,8 +163,28 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
       result.kind[i] = projection.kind;
     }
   });
-  dropCoincident(result, clusters);
+  dropJoined(coincident(result.position), result, clusters);
   return result;
+}
+
+void dropCrowded(Representatives& representatives, IndexLists& clusters, const Context& context) {
+  constexpr int kNeighbors = 6;
+  constexpr double kCrowded = 0.5;
+  const std::vector<Vec3>& position = representatives.position;
+  const auto search = makeKdTree(position);
+  const NeighborTable neighbors = nearestOfAll(position, *search, kNeighbors, context);
+  const std::vector<double> spacing = localSpacings(position, neighbors, context);
+  std::vector<Index> joins(position.size(), kNone);
+  for (Index i = 0; i < representatives.size(); ++i) {
+    for (int j = 0; j < neighbors.k; ++j) {
+      const Index other = neighbors.row(i)[j];
+      const bool kept_before = other < i && joins[other] == kNone;
+      if (!kept_before || (position[i] - position[other]).norm() >= kCrowded * spacing[i]) continue;
+      joins[i] = other;
+      break;
+    }
+  }
+  dropJoined(joins, representatives, clusters);
 }
 
 }  // namespace mlsmesh::core

@@ -25,6 +25,11 @@ namespace {
 
 constexpr int kMaxNeighbors = 512;
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kLeastSupport =
+    1.5;  // local spacings, under which the residual test never shrinks a support
+constexpr double kSupportStep = 1.07;  // a support this near to the least one is left alone
+constexpr double kSupportShrink = 0.75;
+constexpr int kLeastNeighbors = 12;
 
 struct Neighborhood {
   std::array<Index, kMaxNeighbors> index;
@@ -112,11 +117,17 @@ Eigen::Matrix<double, kTerms, 1> basis(double u, double v) {
   return b;
 }
 
+// Coefficients of the height over the frame, in units of the support; those beyond the degree are 0.
 struct Height {
-  double value = 0;  // g(0, 0)
-  double du = 0;
-  double dv = 0;
+  Eigen::Matrix<double, 10, 1> g = Eigen::Matrix<double, 10, 1>::Zero();
   bool valid = false;
+};
+
+struct Fit {
+  Frame frame;
+  Vec3 foot;
+  Height height;
+  int degree = 0;
 };
 
 // Weighted least squares of the heights over the frame at `center`; lengths in units of the support. A small
@@ -136,14 +147,9 @@ Height fitHeight(const std::vector<Vec3>& points, const Vec3& center, const Fram
   }
   const double ridge = 1e-10 * normal_matrix(0, 0);
   for (int i = 1; i < kTerms; ++i) normal_matrix(i, i) += ridge;
-  const Vector g = normal_matrix.ldlt().solve(right);
   Height height;
-  height.value = g[0] * support;
-  if constexpr (kTerms >= 3) {
-    height.du = g[1];
-    height.dv = g[2];
-  }
-  height.valid = g.allFinite();
+  height.g.template head<kTerms>() = normal_matrix.ldlt().solve(right);
+  height.valid = height.g.allFinite();
   return height;
 }
 
@@ -158,6 +164,43 @@ Height fitHeight(int degree, const std::vector<Vec3>& points, const Vec3& center
       return fitHeight<6>(points, center, frame, support, around);
     default:
       return fitHeight<10>(points, center, frame, support, around);
+  }
+}
+
+// Fits the height over fit.frame at fit.foot, with a lower degree where it is not finite.
+void fitWithFallback(const std::vector<Vec3>& points, int degree, double support, const Neighborhood& around,
+                     Fit& fit) {
+  fit.degree = degree;
+  fit.height = fitHeight(fit.degree, points, fit.foot, fit.frame, support, around);
+  while (!fit.height.valid && fit.degree > 0) {
+    fit.height = fitHeight(--fit.degree, points, fit.foot, fit.frame, support, around);
+  }
+}
+
+void fitInOneStep(const std::vector<Vec3>& points, const Vec3& x, int degree, double support,
+                  const Neighborhood& around, Fit& fit) {
+  fit.foot = x;
+  fit.frame = principalFrame(points, x, around);
+  fitWithFallback(points, degree, support, around, fit);
+}
+
+double rmsResidual(const std::vector<Vec3>& points, const Fit& fit, double support,
+                   const Neighborhood& around) {
+  double sum = 0;
+  double total = 0;
+  for (int i = 0; i < around.count; ++i) {
+    const Vec3 local = fit.frame.axes.transpose() * (points[around.index[i]] - fit.foot) / support;
+    const double miss = local[0] - fit.height.g.dot(basis<10>(local[1], local[2]));
+    sum += around.weight[i] * miss * miss;
+    total += around.weight[i];
+  }
+  return support * std::sqrt(sum / total);
+}
+
+// Forgets the neighbours beyond `distance`, but for the nearest ones that a quadric needs.
+void truncate(double distance, Neighborhood& around) {
+  while (around.count > kLeastNeighbors && around.squared_distance[around.count - 1] > distance * distance) {
+    --around.count;
   }
 }
 
@@ -200,8 +243,8 @@ Index nearestTo(const std::vector<Vec3>& points, const Vec3& position, const Nei
 }  // namespace
 
 MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
-                       const ProjectionParameters& parameters)
-    : points_(points), search_(search), parameters_(parameters) {
+                       const ProjectionParameters& parameters, double residual_limit)
+    : points_(points), search_(search), parameters_(parameters), residual_limit_(residual_limit) {
   assert(parameters.neighbors <= kMaxNeighbors);
 }
 
@@ -214,20 +257,24 @@ Projection MlsSurface::project(const Vec3& x, int degree) const {
   result.mean_difference = meanDifferenceOf(points_, x, around);
 
   weigh(points_, x, result.support, around);
-  Vec3 foot = x;
-  const Frame frame =
-      parameters_.method == ProjectionMethod::Levin
-          ? alternatingFrame(points_, x, result.spacing, result.support, parameters_, around, foot)
-          : principalFrame(points_, x, around);
-  result.variation = frame.variation;
-
-  Height height = fitHeight(degree, points_, foot, frame, result.support, around);
-  while (!height.valid && degree > 0) {
-    height = fitHeight(--degree, points_, foot, frame, result.support, around);
+  Fit fit;
+  if (parameters_.method == ProjectionMethod::Levin) {
+    fit.frame = alternatingFrame(points_, x, result.spacing, result.support, parameters_, around, fit.foot);
+    fitWithFallback(points_, degree, result.support, around, fit);
+  } else {
+    fitInOneStep(points_, x, degree, result.support, around, fit);
+    while (residual_limit_ > 0 && result.support > kLeastSupport * kSupportStep * result.spacing &&
+           rmsResidual(points_, fit, result.support, around) > residual_limit_) {
+      result.support = std::max(kLeastSupport * result.spacing, kSupportShrink * result.support);
+      truncate(2 * result.support, around);
+      weigh(points_, x, result.support, around);
+      fitInOneStep(points_, x, degree, result.support, around, fit);
+    }
   }
-  result.kind = degree == parameters_.degree ? VertexKind::Projected : VertexKind::LowerDegree;
-  result.position = foot + height.value * frame.normal();
-  result.normal = frame.axes * Vec3(1, -height.du, -height.dv).normalized();
+  result.variation = fit.frame.variation;
+  result.kind = fit.degree == parameters_.degree ? VertexKind::Projected : VertexKind::LowerDegree;
+  result.position = fit.foot + fit.height.g[0] * result.support * fit.frame.normal();
+  result.normal = fit.frame.axes * Vec3(1, -fit.height.g[1], -fit.height.g[2]).normalized();
   result.nearest = nearestTo(points_, result.position, around);
   return result;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mlsmesh/core/bsp_clustering.h"
+#include "mlsmesh/core/noise.h"
 #include "mlsmesh/core/parameter_check.h"
 
 namespace mlsmesh::core {
@@ -116,61 +117,102 @@ MeshReport reportLevel(const RefinedMesh& mesh, Index level) {
   return reportMesh(vertices, mesh.level_triangles[level]);
 }
 
+// The cloud as the steps see it: its points, denoised where they had to be, and the search over them.
+struct Surroundings {
+  PointSet points;
+  std::unique_ptr<NeighborSearch> search;
+};
+
+NoiseEstimate noiseOf(const Surroundings& cloud, double spacing, const MultiresolutionParameters& parameters,
+                      const Context& context) {
+  if (!parameters.noise.adapt || !parameters.reduce) return {};
+  const double given = parameters.noise.sigma;
+  if (given < 0) return estimateNoise(cloud.points.position, *cloud.search, context);
+  return {given * spacing, given};
+}
+
+void denoise(const SearchFactory& makeSearch, const NoiseAdaptation& noise, const Context& context,
+             Surroundings& cloud) {
+  for (int pass = 0; pass < noise.passes; ++pass) {
+    cloud.points.position =
+        projectAll(cloud.points.position, *cloud.search, noise.denoising, noise.residual_limit, context);
+    cloud.search = makeSearch(cloud.points);
+  }
+}
+
+void reduce(const Surroundings& cloud, const MlsSurface& surface, Stopwatch& stages, Context& context,
+            Reconstruction& result) {
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  if (!parameters.reduce) {
+    result.clusters = singletons(cloud.points.size());
+    result.representatives = unreduced(cloud.points);
+    return;
+  }
+  stages.run("clustering", 0.2,
+             [&] { result.clusters = clustersOf(cloud.points.position, parameters, context); });
+  stages.run("reduction", 0.3, [&] {
+    result.representatives =
+        reducePoints(cloud.points, surface, result.clusters, parameters.reduction, context);
+    if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
+  });
+}
+
+void triangulateRepresentatives(const NeighborSearch& search, const Context& context,
+                                Reconstruction& result) {
+  const Representatives& all = result.representatives;
+  TriangulationInput input{all.position};
+  input.spacing = result.spacing;
+  input.may_split = true;
+  if (result.noise.parameters.reduce) {
+    input.normals = &all.normal;
+    input.cloud_spacing = &all.spacing;
+    input.cloud = &search;
+  } else {
+    input.search = &search;
+  }
+  const Triangulation triangulation = triangulate(input, result.noise.parameters.triangulation, context);
+  result.front = triangulation.statistics;
+  makeLevelZero(triangulation, result);
+}
+
 }  // namespace
 
 Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
                            const MultiresolutionParameters& parameters, Context& context) {
   check(parameters);
+  const SearchFactory makeSearch =
+      search_factory ? search_factory : [](const PointSet& set) { return makeKdTree(set.position); };
   Reconstruction result;
-  result.points = std::move(points);
-  const std::vector<Vec3>& position = result.points.position;
+  Surroundings cloud{std::move(points), nullptr};
   Stopwatch stages(context.progress, result.stages);
-
-  std::unique_ptr<NeighborSearch> search;
   stages.run("search", 0.05, [&] {
-    search = search_factory ? search_factory(result.points) : makeKdTree(position);
-    result.spacing = medianSpacing(position, *search, context);
+    cloud.search = makeSearch(cloud.points);
+    result.spacing = medianSpacing(cloud.points.position, *cloud.search, context);
   });
-  const MlsSurface surface(position, *search, parameters.projection);
-
-  if (parameters.reduce) {
-    stages.run("clustering", 0.1, [&] { result.clusters = clustersOf(position, parameters, context); });
-    stages.run("reduction", 0.25, [&] {
-      result.representatives =
-          reducePoints(result.points, surface, result.clusters, parameters.reduction, context);
-    });
-  } else {
-    result.clusters = singletons(result.points.size());
-    result.representatives = unreduced(result.points);
-  }
-  stages.run("triangulation", parameters.reduce ? 0.45 : 0.7, [&] {
-    const Representatives& all = result.representatives;
-    TriangulationInput input{all.position};
-    input.spacing = result.spacing;
-    input.may_split = true;
-    if (parameters.reduce) {
-      input.normals = &all.normal;
-      input.cloud_spacing = &all.spacing;
-      input.cloud = search.get();
-    } else {
-      input.search = search.get();
-    }
-    const Triangulation triangulation = triangulate(input, parameters.triangulation, context);
-    result.front = triangulation.statistics;
-    makeLevelZero(triangulation, result);
+  stages.run("noise", 0.1, [&] {
+    result.noise = adaptTo(noiseOf(cloud, result.spacing, parameters, context), parameters);
   });
+  if (result.noise.passes > 0)
+    stages.run("denoising", 0.3, [&] { denoise(makeSearch, result.noise, context, cloud); });
+  const bool smoothed = result.noise.passes > 0;
+  const MlsSurface surface(cloud.points.position, *cloud.search, result.noise.parameters.projection,
+                           smoothed ? 0 : result.noise.residual_limit);
+  reduce(cloud, surface, stages, context, result);
+  stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
+             [&] { triangulateRepresentatives(*cloud.search, context, result); });
+  const RefinementParameters& refinement = result.noise.parameters.refinement;
   const double begin = context.progress.fraction();
-  for (int level = 1; level <= parameters.refinement.levels; ++level) {
-    const double share = static_cast<double>(level) / parameters.refinement.levels;
-    stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin), [&] {
-      addLevel(result.points, surface, result.spacing, parameters.refinement, context, result.mesh);
-    });
+  for (int level = 1; level <= refinement.levels; ++level) {
+    const double share = static_cast<double>(level) / refinement.levels;
+    stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin),
+               [&] { addLevel(cloud.points, surface, result.spacing, refinement, context, result.mesh); });
   }
   stages.run("report", 1.0, [&] {
     for (Index level = 0; level < result.mesh.levelCount(); ++level) {
       result.reports.push_back(reportLevel(result.mesh, level));
     }
   });
+  result.points = std::move(cloud.points);
   return result;
 }
 

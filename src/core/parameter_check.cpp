@@ -63,6 +63,11 @@ void check(const ProjectionParameters& parameters) {
   checkRange("projection.max_iterations", parameters.max_iterations, 1, 1000);
 }
 
+void check(const NoiseParameters& parameters) {
+  checkRange("noise.sigma", parameters.sigma, -1, 1000);
+  checkAtLeast("noise.residual_limit", parameters.residual_limit, 0);
+}
+
 void check(const TriangulationParameters& parameters) {
   checkRange("triangulation.neighbors", parameters.neighbors, 4, 512);
   checkRange("triangulation.bend_first", parameters.bend_first, 0, 180);
@@ -88,6 +93,7 @@ void check(const MultiresolutionParameters& parameters) {
   checkAtLeast("min_representatives", parameters.min_representatives, 3);
   check(parameters.clustering);
   check(parameters.projection);
+  check(parameters.noise);
   check(parameters.triangulation);
   check(parameters.refinement);
 }

@@ -24,4 +24,9 @@ struct Representatives {
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
                              const ReductionParameters& parameters, const Context& context);
 
+/// Drops representatives nearer to another than half their mean distance to their 6 nearest (of a pair the
+/// later one), which projection of noisy clusters has stacked. Their members join the cluster of the nearest
+/// one kept.
+void dropCrowded(Representatives& representatives, IndexLists& clusters, const Context& context);
+
 }  // namespace mlsmesh::core

@@ -33,8 +33,10 @@ struct Projection {
 /// and the search must outlive it. All members are const and thread-safe.
 class MlsSurface {
  public:
+  /// With residual_limit > 0 (a length) a one-step fit whose weighted rms residual is larger shrinks its
+  /// support, down to 1.5 local spacings: it has seen two sheets or a crease.
   MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
-             const ProjectionParameters& parameters);
+             const ProjectionParameters& parameters, double residual_limit = 0);
 
   /// Psi(x), with neighbours and support taken at x. `x` must be finite. Falls back to lower degrees where
   /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
@@ -57,6 +59,7 @@ class MlsSurface {
   const std::vector<Vec3>& points_;
   const NeighborSearch& search_;
   ProjectionParameters parameters_;
+  double residual_limit_;
 };
 
 }  // namespace mlsmesh::core

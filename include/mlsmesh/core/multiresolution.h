@@ -8,6 +8,7 @@
 #include "mlsmesh/core/mls_reduction.h"
 #include "mlsmesh/core/mls_refinement.h"
 #include "mlsmesh/core/neighbor_search.h"
+#include "mlsmesh/core/noise.h"
 #include "mlsmesh/mesh_report.h"
 
 namespace mlsmesh::core {
@@ -20,14 +21,17 @@ struct StageTime {
 /// All that the four steps made of a cloud.
 struct Reconstruction {
   PointSet points;
-  double spacing = 0;   ///< of the cloud
-  IndexLists clusters;  ///< members (points) of each level-0 vertex's cluster
+  double spacing = 0;     ///< of the cloud
+  NoiseAdaptation noise;  ///< what was estimated and what it changed
+  IndexLists clusters;    ///< members (points) of each level-0 vertex's cluster
   Representatives representatives;
   RefinedMesh mesh;                      ///< every vertex of a level is used by one of its triangles
   std::vector<Index> representative_of;  ///< representative of each level-0 vertex
   FrontStatistics front;
   std::vector<MeshReport> reports;  ///< one a level
-  std::vector<StageTime> stages;  ///< search, clustering, reduction, triangulation, refinement 1 .. n, report
+  /// search, noise, denoising (where it was needed), clustering, reduction, triangulation, refinement 1 .. n,
+  /// report
+  std::vector<StageTime> stages;
 };
 
 /// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the

@@ -8,6 +8,7 @@ namespace mlsmesh::core {
 /// Throw Failure(InvalidParameter) that names the first member out of its range, its value and the range.
 void check(const ClusteringParameters& parameters);
 void check(const ProjectionParameters& parameters);
+void check(const NoiseParameters& parameters);
 void check(const TriangulationParameters& parameters);
 void check(const RefinementParameters& parameters);
 void check(const MultiresolutionParameters& parameters);
