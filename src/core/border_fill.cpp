@@ -16,7 +16,7 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr double kWorstBend = 150.0 * 3.14159265358979323846 / 180.0;
+constexpr double kWorstBend = 165.0 * 3.14159265358979323846 / 180.0;
 constexpr double kSliver = 1e-6;
 
 struct Weight {
