@@ -15,9 +15,9 @@ using core::Vec3;
 
 /// A value of a scalar field that is negative inside a solid, with its gradient and the solid's colour there.
 struct FieldValue {
-  double value;
-  Vec3 gradient;
-  Vec3 color;
+  double value = 0.0;
+  Vec3 gradient = Vec3::Zero();
+  Vec3 color = Vec3::Zero();
 };
 
 /// A part of a solid. Its field is 1-Lipschitz: |value| is at most the distance of the part's surface.
@@ -66,8 +66,8 @@ class Dish : public Part {
 class Tube : public Part {
  public:
   struct Ball {
-    Vec3 center;
-    double radius;
+    Vec3 center = Vec3::Zero();
+    double radius = 0.0;
   };
   /// At least two control balls.
   explicit Tube(const std::vector<Ball>& control);

@@ -131,7 +131,7 @@ std::vector<Vec3> Figure::sample(std::size_t count, Random& random) const {
 }
 
 Vec3 Figure::closestPoint(const Vec3& x) const {
-  const Vec3 free = project(solid_, x, x, false);
+  Vec3 free = project(solid_, x, x, false);
   if (free.y() >= 0.0) return free;
   return project(solid_, x, {free.x(), 0.0, free.z()}, true);
 }

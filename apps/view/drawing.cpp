@@ -131,6 +131,7 @@ vtkSmartPointer<vtkPolyData> merged(vtkPolyData* soup) {
 std::vector<const FieldSlot*> findSlots(const std::vector<FieldSlot>& slots,
                                         const std::vector<std::string>& names) {
   std::vector<const FieldSlot*> found;
+  found.reserve(names.size());
   for (const std::string& name : names) found.push_back(findSlot(slots, name));
   const bool complete = std::find(found.begin(), found.end(), nullptr) == found.end();
   return complete ? found : std::vector<const FieldSlot*>();

@@ -162,8 +162,10 @@ double Scene::fittingDistance(const std::vector<Drawing>& drawings, const Eigen:
 void Scene::showAll() {
   shown_ = -1;
   for (std::size_t i = 0; i < panes_.size(); ++i) {
-    const double column = static_cast<int>(i) % columns_;
-    const double row = rows_ - 1 - static_cast<int>(i) / columns_;
+    const int index = static_cast<int>(i);
+    const int row_from_top = index / columns_;
+    const double column = index % columns_;
+    const double row = rows_ - 1 - row_from_top;
     panes_[i].renderer->SetViewport(column / columns_, row / rows_, (column + 1) / columns_,
                                     (row + 1) / rows_);
     panes_[i].renderer->SetDraw(true);
