@@ -19,7 +19,6 @@
 namespace mlsmesh::apps {
 namespace {
 
-constexpr int kMaxColumns = 4;
 constexpr double kPi = 3.141592653589793;
 constexpr double kViewAngle = 25.0;  // degrees
 constexpr double kMargin = 1.08;     // of the scene's extent on the screen
@@ -86,9 +85,14 @@ vtkSmartPointer<vtkTextActor> makeLabel(const std::string& title, double pixels)
 
 Scene::Scene(const std::vector<Drawing>& drawings, const ViewOptions& options, vtkRenderWindow& window)
     : options_(options), window_(window), camera_(vtkSmartPointer<vtkCamera>::New()) {
-  const int count = static_cast<int>(drawings.size());
-  columns_ = std::min(count, kMaxColumns);
-  rows_ = (count + columns_ - 1) / columns_;
+  const auto [columns, rows] = paneGrid(drawings.size());
+  columns_ = columns;
+  rows_ = rows;
+  // Behind all panes, for the places that none of them takes.
+  const auto backdrop = vtkSmartPointer<vtkRenderer>::New();
+  backdrop->SetBackground(1.0, 1.0, 1.0);
+  backdrop->InteractiveOff();
+  window_.AddRenderer(backdrop);
   for (const Drawing& drawing : drawings) panes_.push_back(makePane(drawing));
   placeCamera(drawings);
   showAll();

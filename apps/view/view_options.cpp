@@ -61,10 +61,8 @@ std::array<int, 2> sizeFromText(const std::string& text) {
 }
 
 std::array<int, 2> defaultSize(std::size_t files) {
-  const int count = static_cast<int>(files);
-  const int columns = std::min(count, kMaxPanesPerRow);
-  const int rows = (count + columns - 1) / columns;
-  return {std::min(columns * kPaneSide, 2 * 1600), std::min(rows * kPaneSide, kMaxSide)};
+  const auto [columns, rows] = paneGrid(files);
+  return {std::min(columns * kPaneSide, kMaxSide), std::min(rows * kPaneSide, kMaxSide)};
 }
 
 /// Sets where the camera stands, in axes right, up, towards the viewer, then turned so that the third is
@@ -102,6 +100,12 @@ double zoomFromText(const std::string& text) {
 }
 
 }  // namespace
+
+std::array<int, 2> paneGrid(std::size_t files) {
+  const int count = static_cast<int>(files);
+  const int rows = (count + kMaxPanesPerRow - 1) / kMaxPanesPerRow;
+  return {(count + rows - 1) / rows, rows};
+}
 
 ViewOptions readViewOptions(int argc, const char* const* argv) {
   const po::variables_map values = parse(argc, argv);

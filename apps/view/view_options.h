@@ -25,6 +25,9 @@ struct ViewOptions {
   bool labels = true;
 };
 
+/// Columns and rows of the panes in which so many files, at least one, are shown.
+std::array<int, 2> paneGrid(std::size_t files);
+
 /// Throws AppError (kExitUsage) that names the option or argument at fault and what is allowed.
 ViewOptions readViewOptions(int argc, const char* const* argv);
 
