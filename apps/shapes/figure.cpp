@@ -60,10 +60,10 @@ void addSide(Solid& solid, double side) {
   solid.add(std::make_unique<Dish>(place(0.25, 1.30, 0.60) - 0.62 * ear_axis, ear_axis, 0.62, 0.66, 0.035),
             0.07, kEar);
   addTube(solid,
-          {{place(0.66, 1.06, 0.17), 0.055},
-           {place(0.86, 0.92, 0.24), 0.05},
-           {place(1.06, 0.92, 0.28), 0.04},
-           {place(1.18, 1.04, 0.28), 0.03}},
+          {{place(0.60, 1.05, 0.18), 0.06},
+           {place(0.80, 0.90, 0.31), 0.052},
+           {place(1.00, 0.88, 0.40), 0.042},
+           {place(1.14, 0.99, 0.42), 0.032}},
           0.05, kIvory);
   solid.add(std::make_unique<Ellipsoid>(place(0.66, 1.36, 0.215), Vec3(0.055, 0.06, 0.055)), 0.025, kEye);
   addTube(solid,
