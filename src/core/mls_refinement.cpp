@@ -128,6 +128,20 @@ void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& positi
   }
 }
 
+HalfEdgeMesh finestMesh(const RefinedMesh& refined) {
+  HalfEdgeMesh mesh;
+  std::string why;
+  const Index vertices = static_cast<Index>(refined.position.size());
+  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why))
+    throw Failure(StatusCode::InvalidMesh, why);
+  for (Index v = 0; v < vertices; ++v) {
+    if (mesh.fanCount(v) < 2) continue;
+    throw Failure(StatusCode::InvalidMesh,
+                  "vertex " + std::to_string(v) + " joins fans of triangles that share no edge");
+  }
+  return mesh;
+}
+
 void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges, RefinedMesh& refined) {
   for (const SplitEdge& edge : edges) {
     if (!edge.marked) continue;
@@ -153,11 +167,7 @@ std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const st
 
 void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
               const RefinementParameters& parameters, const Context& context, RefinedMesh& refined) {
-  HalfEdgeMesh mesh;
-  std::string why;
-  const Index vertices = static_cast<Index>(refined.position.size());
-  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why))
-    throw Failure(StatusCode::InvalidMesh, why);
+  const HalfEdgeMesh mesh = finestMesh(refined);
   const EdgeNumbers numbers = numberEdges(mesh);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals);
@@ -176,6 +186,7 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   }
   appendVertices(mesh, edges, refined);
   HalfEdgeMesh finer;
+  std::string why;
   if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, finer, &why)) {
     throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
   }
