@@ -330,7 +330,7 @@ TEST_P(MlsConvergence, IsOfThirdOrder) {
         GetParam(), count, a.representatives, a.refined, a.residual_median, a.residual_99);
     EXPECT_LE(a.residual_median, 1e-3);
     EXPECT_LE(a.residual_99, 0.1);
-    EXPECT_LE(a.share_flagged, 1e-3);
+    EXPECT_LE(a.share_flagged, 5e-3);
   }
   const double coarse = slope(series, &Accuracy::representatives), fine = slope(series, &Accuracy::refined);
   std::printf("%s: slope of representatives %.2f, of refined vertices %.2f\n", GetParam(), coarse, fine);
