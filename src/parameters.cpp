@@ -19,6 +19,7 @@ MultiresolutionParameters paperPreset() {
   paper.projection.support_factor = 3;
 
   paper.noise.adapt = false;
+  paper.outliers.remove = false;
 
   paper.triangulation.seeds = SeedRule::SingleTriangle;
 

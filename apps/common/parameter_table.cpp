@@ -227,12 +227,23 @@ void addNoise(std::vector<Parameter>& table) {
            "a fit that misses its points by more than this * sigma shrinks its support; 0 = never");
 }
 
+void addOutliers(std::vector<Parameter>& table) {
+  using Step = OutlierParameters;
+  StepRows<Step> rows(table, "outliers.", &All::outliers);
+  rows.add("remove", &Step::remove, "leave out points that belong to no surface");
+  rows.add("link", &Step::link, kPositive,
+           "representatives nearer than this many local spacings (at both) belong together");
+  rows.add("smallest_group", &Step::smallest_group, Limits{1, kNoLimit, false},
+           "points in the smallest floating group that is kept");
+}
+
 std::vector<Parameter> makeTable() {
   std::vector<Parameter> table;
   addGeneral(table);
   addClustering(table);
   addProjection(table);
   addNoise(table);
+  addOutliers(table);
   addReduction(table);
   addTriangulation(table);
   addRefinement(table);

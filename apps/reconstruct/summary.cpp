@@ -82,7 +82,20 @@ Json inputJson(const Options& options, const RunReport& report) {
   json["used"] = points.size();
   json["non_finite"] = points.non_finite;
   json["duplicates"] = points.duplicates;
+  json["outliers"] = report.result.outliers;
   json["spacing"] = report.result.spacing;
+  return json;
+}
+
+/// What was estimated of the noise, and what it made of the parameters.
+Json noiseJson(const core::NoiseAdaptation& noise) {
+  Json json;
+  json["sigma"] = noise.estimate.sigma;
+  json["relative"] = noise.estimate.relative;
+  json["denoising_passes"] = noise.passes;
+  json["neighbors"] = noise.parameters.projection.neighbors;
+  json["support_factor"] = noise.parameters.projection.support_factor;
+  json["threshold"] = noise.parameters.refinement.threshold;
   return json;
 }
 
@@ -129,6 +142,7 @@ std::string jsonText(const Options& options, const RunReport& report) {
   json["preset"] = options.preset;
   json["parameters"] = parameterJson(options.parameters);
   json["threads"] = options.threads;
+  json["noise"] = noiseJson(report.result.noise);
   json["representatives"] = report.result.representatives.size();
   json["stages"] = Json::array();
   for (const core::StageTime& stage : report.stages) {
@@ -146,8 +160,13 @@ std::string jsonText(const Options& options, const RunReport& report) {
 std::string summaryText(const Options& options, const RunReport& report) {
   const core::PointSet& points = report.result.points;
   std::string text = options.input.string() + ": " + std::to_string(report.input_points) + " points";
-  text += formatted(", %d used (%d not finite, %d duplicates), spacing %.6g", points.size(),
-                    points.non_finite, points.duplicates, report.result.spacing);
+  text += formatted(", %d used (%d not finite, %d duplicates, %d outliers), spacing %.6g", points.size(),
+                    points.non_finite, points.duplicates, report.result.outliers, report.result.spacing);
+  const core::NoiseAdaptation& noise = report.result.noise;
+  if (options.parameters.noise.adapt && options.parameters.reduce) {
+    text += formatted(", noise %.2g local spacings", noise.estimate.relative);
+    if (noise.passes > 0) text += formatted(" (denoised in %d passes)", noise.passes);
+  }
   text += formatted(", %d representatives\n\n", report.result.representatives.size());
   text += formatted("%-16s %9s\n", "stage", "seconds");
   for (const core::StageTime& stage : report.stages) {

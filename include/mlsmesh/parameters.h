@@ -164,9 +164,17 @@ struct RefinementParameters {
 
 /// What the noise of the cloud, estimated once, changes in the other steps. It leaves clean clouds alone.
 struct NoiseParameters {
-  bool adapt = true;            ///< false: every cloud is taken as clean
-  double sigma = -1;            ///< standard deviation about the surface, in spacings; negative: estimated
-  double residual_limit = 1.35; ///< a fit that misses its points by more * sigma shrinks its support; 0 = never
+  bool adapt = true;  ///< false: every cloud is taken as clean
+  double sigma = -1;  ///< standard deviation about the surface, in spacings; negative: estimated
+  double residual_limit =
+      1.35;  ///< a fit that misses its points by more * sigma shrinks its support; 0 = never
+};
+
+/// Points that belong to no surface.
+struct OutlierParameters {
+  bool remove = true;  ///< false: every cluster gets its representative
+  double link = 4.0;  ///< representatives nearer than this many local spacings (at both) belong together, > 0
+  int smallest_group = 10;  ///< points of the cloud in the smallest group that is kept, >= 1
 };
 
 /// All four steps.
@@ -176,6 +184,7 @@ struct MultiresolutionParameters {
   ClusteringParameters clustering;
   ProjectionParameters projection;  ///< one Psi for reduction and refinement
   NoiseParameters noise;
+  OutlierParameters outliers;
   ReductionParameters reduction;
   TriangulationParameters triangulation;
   RefinementParameters refinement;

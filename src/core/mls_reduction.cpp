@@ -122,6 +122,15 @@ IndexLists mergeClusters(const IndexLists& clusters, const std::vector<Index>& s
   return merged;
 }
 
+void keepOnly(const std::vector<Index>& kept, Representatives& representatives) {
+  keepOnly(kept, representatives.position);
+  keepOnly(kept, representatives.normal);
+  keepOnly(kept, representatives.variation);
+  keepOnly(kept, representatives.spacing);
+  keepOnly(kept, representatives.nearest);
+  keepOnly(kept, representatives.kind);
+}
+
 // Drops every representative i with joins[i] != kNone; its members join that one, which is kept.
 void dropJoined(const std::vector<Index>& joins, Representatives& representatives, IndexLists& clusters) {
   std::vector<Index> kept;
@@ -129,12 +138,7 @@ void dropJoined(const std::vector<Index>& joins, Representatives& representative
     if (joins[i] == kNone) kept.push_back(i);
   }
   if (static_cast<Index>(kept.size()) == representatives.size()) return;
-  keepOnly(kept, representatives.position);
-  keepOnly(kept, representatives.normal);
-  keepOnly(kept, representatives.variation);
-  keepOnly(kept, representatives.spacing);
-  keepOnly(kept, representatives.nearest);
-  keepOnly(kept, representatives.kind);
+  keepOnly(kept, representatives);
   clusters = mergeClusters(clusters, joins);
 }
 
@@ -165,6 +169,20 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   });
   dropJoined(coincident(result.position), result, clusters);
   return result;
+}
+
+void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,
+                         IndexLists& clusters) {
+  std::vector<Index> kept;
+  IndexLists remaining;
+  for (Index i = 0; i < representatives.size(); ++i) {
+    if (!keep[i]) continue;
+    kept.push_back(i);
+    remaining.items.insert(remaining.items.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
+    remaining.begin.push_back(static_cast<Index>(remaining.items.size()));
+  }
+  keepOnly(kept, representatives);
+  clusters = std::move(remaining);
 }
 
 void dropCrowded(Representatives& representatives, IndexLists& clusters, const Context& context) {

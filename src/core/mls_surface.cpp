@@ -184,17 +184,31 @@ void fitInOneStep(const std::vector<Vec3>& points, const Vec3& x, int degree, do
   fitWithFallback(points, degree, support, around, fit);
 }
 
+// Distance of neighbour i from the fitted polynomial along the normal of the frame.
+double miss(const std::vector<Vec3>& points, const Fit& fit, double support, const Neighborhood& around,
+            int i) {
+  const Vec3 local = fit.frame.axes.transpose() * (points[around.index[i]] - fit.foot) / support;
+  return support * (local[0] - fit.height.g.dot(basis<10>(local[1], local[2])));
+}
+
 double rmsResidual(const std::vector<Vec3>& points, const Fit& fit, double support,
                    const Neighborhood& around) {
   double sum = 0;
   double total = 0;
   for (int i = 0; i < around.count; ++i) {
-    const Vec3 local = fit.frame.axes.transpose() * (points[around.index[i]] - fit.foot) / support;
-    const double miss = local[0] - fit.height.g.dot(basis<10>(local[1], local[2]));
-    sum += around.weight[i] * miss * miss;
+    const double residual = miss(points, fit, support, around, i);
+    sum += around.weight[i] * residual * residual;
     total += around.weight[i];
   }
-  return support * std::sqrt(sum / total);
+  return std::sqrt(sum / total);
+}
+
+double medianResidual(const std::vector<Vec3>& points, const Fit& fit, double support,
+                      const Neighborhood& around) {
+  std::array<double, kMaxNeighbors> residual;
+  for (int i = 0; i < around.count; ++i) residual[i] = std::abs(miss(points, fit, support, around, i));
+  std::nth_element(residual.begin(), residual.begin() + around.count / 2, residual.begin() + around.count);
+  return residual[around.count / 2];
 }
 
 // Forgets the neighbours beyond `distance`, but for the nearest ones that a quadric needs.
@@ -277,6 +291,29 @@ Projection MlsSurface::project(const Vec3& x, int degree) const {
   result.normal = fit.frame.axes * Vec3(1, -fit.height.g[1], -fit.height.g[2]).normalized();
   result.nearest = nearestTo(points_, result.position, around);
   return result;
+}
+
+bool MlsSurface::isStray(Index point, double distance) const {
+  constexpr double kResiduals = 6;  // median residuals of the neighbours
+  constexpr double kSupport =
+      3;  // local spacings: weights nearly even, so that strays do not vouch for each other
+  const Vec3& x = points_[point];
+  Neighborhood around;
+  findNeighbors(search_, x, parameters_, around);
+  int kept = 0;
+  for (int i = 0; i < around.count; ++i) {
+    around.index[kept] = around.index[i];
+    around.squared_distance[kept] = around.squared_distance[i];
+    if (around.index[i] != point) ++kept;
+  }
+  around.count = kept;
+  const double spacing = localSpacing(around);
+  const double support = kSupport * spacing;
+  weigh(points_, x, support, around);
+  Fit fit;
+  fitInOneStep(points_, x, 1, support, around, fit);
+  const double offset = std::abs(fit.height.g[0]) * support;
+  return offset > distance * spacing && offset > kResiduals * medianResidual(points_, fit, support, around);
 }
 
 Vec3 MlsSurface::startFrom(const Vec3& c) const {

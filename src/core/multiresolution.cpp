@@ -10,6 +10,7 @@
 
 #include "mlsmesh/core/bsp_clustering.h"
 #include "mlsmesh/core/noise.h"
+#include "mlsmesh/core/outliers.h"
 #include "mlsmesh/core/parameter_check.h"
 
 namespace mlsmesh::core {
@@ -117,44 +118,91 @@ MeshReport reportLevel(const RefinedMesh& mesh, Index level) {
   return reportMesh(vertices, mesh.level_triangles[level]);
 }
 
-// The cloud as the steps see it: its points, denoised where they had to be, and the search over them.
-struct Surroundings {
+// The cloud as the steps see it: its points, denoised and without outliers where that was needed, the search
+// over them, and their surface.
+class Surroundings {
+ public:
+  Surroundings(PointSet set, const SearchFactory& makeSearch)
+      : points(std::move(set)), makeSearch_(makeSearch) {
+    renewSearch();
+  }
+
+  const NeighborSearch& search() const { return *search_; }
+  const MlsSurface& surface() const { return *surface_; }
+
+  void renewSearch() { search_ = makeSearch_(points); }
+  void renewSurface(const ProjectionParameters& parameters, double residual_limit) {
+    surface_ = std::make_unique<MlsSurface>(points.position, *search_, parameters, residual_limit);
+  }
+
   PointSet points;
-  std::unique_ptr<NeighborSearch> search;
+
+ private:
+  const SearchFactory& makeSearch_;
+  std::unique_ptr<NeighborSearch> search_;
+  std::unique_ptr<MlsSurface> surface_;
 };
 
 NoiseEstimate noiseOf(const Surroundings& cloud, double spacing, const MultiresolutionParameters& parameters,
                       const Context& context) {
   if (!parameters.noise.adapt || !parameters.reduce) return {};
   const double given = parameters.noise.sigma;
-  if (given < 0) return estimateNoise(cloud.points.position, *cloud.search, context);
+  if (given < 0) return estimateNoise(cloud.points.position, cloud.search(), context);
   return {given * spacing, given};
 }
 
-void denoise(const SearchFactory& makeSearch, const NoiseAdaptation& noise, const Context& context,
-             Surroundings& cloud) {
+void denoise(const NoiseAdaptation& noise, const Context& context, Surroundings& cloud) {
   for (int pass = 0; pass < noise.passes; ++pass) {
     cloud.points.position =
-        projectAll(cloud.points.position, *cloud.search, noise.denoising, noise.residual_limit, context);
-    cloud.search = makeSearch(cloud.points);
+        projectAll(cloud.points.position, cloud.search(), noise.denoising, noise.residual_limit, context);
+    cloud.renewSearch();
   }
 }
 
-void reduce(const Surroundings& cloud, const MlsSurface& surface, Stopwatch& stages, Context& context,
-            Reconstruction& result) {
+void renewSurface(const NoiseAdaptation& noise, Surroundings& cloud) {
+  cloud.renewSurface(noise.parameters.projection, noise.passes > 0 ? 0 : noise.residual_limit);
+}
+
+void clusterAndReduce(const Surroundings& cloud, Context& context, Reconstruction& result) {
   const MultiresolutionParameters& parameters = result.noise.parameters;
-  if (!parameters.reduce) {
+  result.clusters = clustersOf(cloud.points.position, parameters, context);
+  result.representatives =
+      reducePoints(cloud.points, cloud.surface(), result.clusters, parameters.reduction, context);
+}
+
+// Points that belong to no surface, as far as the first representatives tell.
+std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context, Reconstruction& result) {
+  const OutlierParameters& parameters = result.noise.parameters.outliers;
+  if (!parameters.remove) return {};
+  std::vector<Index> found = dropOutliers(parameters, result.representatives, result.clusters, context);
+  const std::vector<Index> stray =
+      strayPoints(cloud.points.position, cloud.surface(), result.representatives, result.clusters, context);
+  found.insert(found.end(), stray.begin(), stray.end());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruction& result) {
+  if (!result.noise.parameters.reduce) {
     result.clusters = singletons(cloud.points.size());
     result.representatives = unreduced(cloud.points);
     return;
   }
-  stages.run("clustering", 0.2,
-             [&] { result.clusters = clustersOf(cloud.points.position, parameters, context); });
-  stages.run("reduction", 0.3, [&] {
-    result.representatives =
-        reducePoints(cloud.points, surface, result.clusters, parameters.reduction, context);
-    if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
+  stages.run("reduction", 0.25, [&] { clusterAndReduce(cloud, context, result); });
+  stages.run("outliers", 0.3, [&] {
+    constexpr int kRounds = 3;  // what one outlier hid, the next round sees
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<Index> outliers = outliersOf(cloud, context, result);
+      if (outliers.empty()) return;
+      result.outliers += static_cast<Index>(outliers.size());
+      removePoints(outliers, cloud.points);
+      cloud.renewSearch();
+      renewSurface(result.noise, cloud);
+      clusterAndReduce(cloud, context, result);
+    }
+    dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
   });
+  if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
 }
 
 void triangulateRepresentatives(const NeighborSearch& search, const Context& context,
@@ -183,36 +231,34 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   const SearchFactory makeSearch =
       search_factory ? search_factory : [](const PointSet& set) { return makeKdTree(set.position); };
   Reconstruction result;
-  Surroundings cloud{std::move(points), nullptr};
   Stopwatch stages(context.progress, result.stages);
+  std::unique_ptr<Surroundings> cloud;
   stages.run("search", 0.05, [&] {
-    cloud.search = makeSearch(cloud.points);
-    result.spacing = medianSpacing(cloud.points.position, *cloud.search, context);
+    cloud = std::make_unique<Surroundings>(std::move(points), makeSearch);
+    result.spacing = medianSpacing(cloud->points.position, cloud->search(), context);
   });
   stages.run("noise", 0.1, [&] {
-    result.noise = adaptTo(noiseOf(cloud, result.spacing, parameters, context), parameters);
+    result.noise = adaptTo(noiseOf(*cloud, result.spacing, parameters, context), parameters);
   });
-  if (result.noise.passes > 0)
-    stages.run("denoising", 0.3, [&] { denoise(makeSearch, result.noise, context, cloud); });
-  const bool smoothed = result.noise.passes > 0;
-  const MlsSurface surface(cloud.points.position, *cloud.search, result.noise.parameters.projection,
-                           smoothed ? 0 : result.noise.residual_limit);
-  reduce(cloud, surface, stages, context, result);
+  if (result.noise.passes > 0) stages.run("denoising", 0.2, [&] { denoise(result.noise, context, *cloud); });
+  renewSurface(result.noise, *cloud);
+  reduce(stages, context, *cloud, result);
   stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
-             [&] { triangulateRepresentatives(*cloud.search, context, result); });
+             [&] { triangulateRepresentatives(cloud->search(), context, result); });
   const RefinementParameters& refinement = result.noise.parameters.refinement;
   const double begin = context.progress.fraction();
   for (int level = 1; level <= refinement.levels; ++level) {
     const double share = static_cast<double>(level) / refinement.levels;
-    stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin),
-               [&] { addLevel(cloud.points, surface, result.spacing, refinement, context, result.mesh); });
+    stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin), [&] {
+      addLevel(cloud->points, cloud->surface(), result.spacing, refinement, context, result.mesh);
+    });
   }
   stages.run("report", 1.0, [&] {
     for (Index level = 0; level < result.mesh.levelCount(); ++level) {
       result.reports.push_back(reportLevel(result.mesh, level));
     }
   });
-  result.points = std::move(cloud.points);
+  result.points = std::move(cloud->points);
   return result;
 }
 

@@ -68,6 +68,11 @@ void check(const NoiseParameters& parameters) {
   checkAtLeast("noise.residual_limit", parameters.residual_limit, 0);
 }
 
+void check(const OutlierParameters& parameters) {
+  checkPositive("outliers.link", parameters.link);
+  checkAtLeast("outliers.smallest_group", parameters.smallest_group, 1);
+}
+
 void check(const TriangulationParameters& parameters) {
   checkRange("triangulation.neighbors", parameters.neighbors, 4, 512);
   checkRange("triangulation.bend_first", parameters.bend_first, 0, 180);
@@ -94,6 +99,7 @@ void check(const MultiresolutionParameters& parameters) {
   check(parameters.clustering);
   check(parameters.projection);
   check(parameters.noise);
+  check(parameters.outliers);
   check(parameters.triangulation);
   check(parameters.refinement);
 }

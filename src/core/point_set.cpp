@@ -244,4 +244,25 @@ PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const 
   return set;
 }
 
+void removePoints(const std::vector<Index>& removed, PointSet& points) {
+  IndexLists inputs;
+  Index kept = 0;
+  auto next = removed.begin();
+  for (Index p = 0; p < points.size(); ++p) {
+    if (next != removed.end() && *next == p) {
+      ++next;
+      continue;
+    }
+    points.position[kept] = points.position[p];
+    points.source[kept] = points.source[p];
+    const Index* same = points.duplicates_of.data(p);
+    inputs.items.insert(inputs.items.end(), same, same + points.duplicates_of.size(p));
+    inputs.begin.push_back(static_cast<Index>(inputs.items.size()));
+    ++kept;
+  }
+  points.position.resize(static_cast<std::size_t>(kept));
+  points.source.resize(static_cast<std::size_t>(kept));
+  points.duplicates_of = std::move(inputs);
+}
+
 }  // namespace mlsmesh::core

@@ -24,6 +24,10 @@ struct Representatives {
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
                              const ReductionParameters& parameters, const Context& context);
 
+/// Drops the representatives whose `keep` is 0, with their clusters.
+void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,
+                         IndexLists& clusters);
+
 /// Drops representatives nearer to another than half their mean distance to their 6 nearest (of a pair the
 /// later one), which projection of noisy clusters has stacked. Their members join the cluster of the nearest
 /// one kept.

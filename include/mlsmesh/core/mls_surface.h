@@ -42,6 +42,10 @@ class MlsSurface {
   /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
   Projection project(const Vec3& x) const { return project(x, parameters_.degree); }
   Projection project(const Vec3& x, int degree) const;
+  /// Whether point number `point` lies farther from the surface of its neighbours, fitted without it, than
+  /// `distance` local spacings and six times the median residual of that fit: a stray that should not shape
+  /// the surface.
+  bool isStray(Index point, double distance) const;
   /// ||Psi(x) - x||: 0 on the surface.
   double residual(const Vec3& x) const { return (project(x).position - x).norm(); }
 

@@ -27,6 +27,7 @@ struct Reconstruction {
   Representatives representatives;
   RefinedMesh mesh;                      ///< every vertex of a level is used by one of its triangles
   std::vector<Index> representative_of;  ///< representative of each level-0 vertex
+  Index outliers = 0;  ///< points of the set in clusters that were dropped because they belong to no surface
   FrontStatistics front;
   std::vector<MeshReport> reports;  ///< one a level
   /// search, noise, denoising (where it was needed), clustering, reduction, triangulation, refinement 1 .. n,

@@ -9,6 +9,7 @@ namespace mlsmesh::core {
 void check(const ClusteringParameters& parameters);
 void check(const ProjectionParameters& parameters);
 void check(const NoiseParameters& parameters);
+void check(const OutlierParameters& parameters);
 void check(const TriangulationParameters& parameters);
 void check(const RefinementParameters& parameters);
 void check(const MultiresolutionParameters& parameters);

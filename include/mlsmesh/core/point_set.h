@@ -35,4 +35,7 @@ struct PointSet {
 PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const std::vector<Index>* indices,
                       Context& context);
 
+/// Takes the listed points (ascending) out of the set; the order of the others stays.
+void removePoints(const std::vector<Index>& removed, PointSet& points);
+
 }  // namespace mlsmesh::core

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Related: S. Sotoodeh, "Outlier detection in laser scanner point clouds", 2006 (local density against that
+// of the neighbours); M. Ester, H.-P. Kriegel, J. Sander, X. Xu 1996 (density-linked groups).
+#include "mlsmesh/core/outliers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mlsmesh/core/parallel.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr int kNeighbors = 12;
+
+class Groups {
+ public:
+  explicit Groups(Index count) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  // The lower number leads, so that the result does not depend on the order of the links.
+  void unite(Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// A point off the surface: its projection was refused, and the cloud is sparser at it than around it.
+bool isOff(const Representatives& all, const NeighborTable& neighbors, Index i) {
+  constexpr double kSparser = 1.5;
+  if (all.kind[i] != VertexKind::InputPoint) return false;
+  std::vector<double> around;
+  for (int j = 0; j < neighbors.k; ++j) around.push_back(all.spacing[neighbors.row(i)[j]]);
+  return all.spacing[i] > kSparser * median(around);
+}
+
+// Groups of linked representatives; those off the surface stay alone.
+Groups linkedGroups(const OutlierParameters& parameters, const Representatives& all, const Context& context) {
+  const auto search = makeKdTree(all.position);
+  const NeighborTable neighbors = nearestOfAll(all.position, *search, kNeighbors, context);
+  std::vector<char> off(all.position.size());
+  for (Index i = 0; i < all.size(); ++i) off[i] = isOff(all, neighbors, i);
+  Groups groups(all.size());
+  for (Index i = 0; i < all.size(); ++i) {
+    for (int j = 0; j < neighbors.k && !off[i]; ++j) {
+      const Index other = neighbors.row(i)[j];
+      const double reach = parameters.link * std::min(all.spacing[i], all.spacing[other]);
+      const bool near = (all.position[i] - all.position[other]).squaredNorm() <= reach * reach;
+      if (near && !off[other]) groups.unite(i, other);
+    }
+  }
+  return groups;
+}
+
+struct Group {
+  Index points = 0;
+  std::vector<double> spacing;
+  std::vector<double> variation;
+};
+
+}  // namespace
+
+std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
+                                IndexLists& clusters, const Context& context) {
+  constexpr double kSparse = 3.0;     // local spacing over the main group's
+  constexpr double kScattered = 0.1;  // surface variation of points that lie on no surface
+  if (!parameters.remove) return {};
+  const Index count = representatives.size();
+  Groups links = linkedGroups(parameters, representatives, context);
+  std::vector<Group> groups(static_cast<std::size_t>(count));
+  for (Index i = 0; i < count; ++i) {
+    Group& group = groups[links.find(i)];
+    group.points += clusters.size(i);
+    group.spacing.push_back(representatives.spacing[i]);
+    group.variation.push_back(representatives.variation[i]);
+  }
+  const auto main = std::max_element(groups.begin(), groups.end(),
+                                     [](const Group& a, const Group& b) { return a.points < b.points; });
+  const double main_spacing = median(main->spacing);
+  std::vector<char> keep_group(groups.size(), 0);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].points < parameters.smallest_group) continue;
+    const bool sparse = median(groups[g].spacing) > kSparse * main_spacing;
+    keep_group[g] = !(sparse && median(groups[g].variation) > kScattered);
+  }
+  keep_group[static_cast<std::size_t>(main - groups.begin())] = 1;
+  std::vector<char> keep(static_cast<std::size_t>(count));
+  std::vector<Index> dropped;
+  for (Index i = 0; i < count; ++i) {
+    keep[i] = keep_group[links.find(i)];
+    if (!keep[i]) dropped.insert(dropped.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
+  }
+  if (dropped.empty()) return dropped;
+  dropRepresentatives(keep, representatives, clusters);
+  std::sort(dropped.begin(), dropped.end());
+  return dropped;
+}
+
+std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface& surface,
+                               const Representatives& representatives, const IndexLists& clusters,
+                               const Context& context) {
+  constexpr double kSuspect = 0.5;  // local spacings off the representative's plane
+  constexpr double kStray = 1.25;    // local spacings off the surface of the neighbours
+  std::vector<char> stray(points.size(), 0);
+  parallelBlocks(
+      context, static_cast<std::size_t>(clusters.count()), 512, [&](std::size_t first, std::size_t last) {
+        for (Index c = static_cast<Index>(first); c < static_cast<Index>(last); ++c) {
+          const double limit = kSuspect * representatives.spacing[c];
+          for (const Index* p = clusters.data(c); p != clusters.data(c) + clusters.size(c); ++p) {
+            const double off = (points[*p] - representatives.position[c]).dot(representatives.normal[c]);
+            stray[*p] = std::abs(off) > limit && surface.isStray(*p, kStray);
+          }
+        }
+      });
+  std::vector<Index> found;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (stray[p]) found.push_back(static_cast<Index>(p));
+  }
+  return found;
+}
+
+}  // namespace mlsmesh::core
