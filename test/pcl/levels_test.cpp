@@ -397,7 +397,7 @@ TEST(ReadmeExample, WritesBothMeshesOfACloudFile) {
   fs::create_directories(folder);
   ASSERT_EQ(pcl::io::savePCDFileBinary((folder / "cloud.pcd").string(), *cloudOf<Point>(spherePoints(2000))),
             0);
-  const std::string command = "cd " + folder.string() + " && " + MLSMESH_README_EXAMPLE + " cloud.pcd";
+  const std::string command = "cd '" + folder.string() + "' && '" + MLSMESH_README_EXAMPLE + "' cloud.pcd";
   EXPECT_EQ(std::system(command.c_str()), 0);
   for (const char* file : {"ours.ply", "gp3.ply"}) EXPECT_GT(fs::file_size(folder / file), 10000u);
   fs::remove_all(folder);
