@@ -129,10 +129,18 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CleanShape, testing::Values("sphere", "torus", 
 
 TEST(AdvancingFront, TurnsClosedSurfacesOutward) {
   constexpr double kPi = 3.14159265358979323846;
-  const Meshed sphere = meshOf(test::evenSample("sphere", 0.07));
-  EXPECT_NEAR(test::signedVolume(sphere.vertices, sphere.mesh.triangles) / 6, 4 * kPi / 3, 0.02);
-  const Meshed torus = meshOf(test::evenSample("torus", 0.07));
-  EXPECT_NEAR(test::signedVolume(torus.vertices, torus.mesh.triangles) / 6, 2 * kPi * kPi * 0.16, 0.05);
+  const Points sphere = test::evenSample("sphere", 0.1), torus = test::evenSample("torus", 0.1);
+  const auto volumeOf = [](const Points& world, const Eigen::Matrix3d& rotation) {
+    Points rotated = world;
+    for (Vec3& p : rotated) p = rotation * p;
+    const Meshed result = meshOf(rotated);
+    return test::signedVolume(result.vertices, result.mesh.triangles) / 6;
+  };
+  for (int turn = 0; turn < 8; ++turn) {  // the first triangle, and with it the side it shows, differs
+    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.8 * turn, Vec3(0.6, -0.48, 0.64)).toRotationMatrix();
+    EXPECT_NEAR(volumeOf(sphere, rotation), 4 * kPi / 3, 0.05);
+    EXPECT_NEAR(volumeOf(torus, rotation), 2 * kPi * kPi * 0.16, 0.1);
+  }
 }
 
 TEST(AdvancingFront, MeshesEveryComponent) {
@@ -247,6 +255,40 @@ TEST(AdvancingFront, KeepsEdgesWithinTheirLimit) {
       EXPECT_LE(length, options.parameters.length_factor * widest * (1 + 1e-12));
     }
   }
+}
+
+TEST(AdvancingFront, BendsNoFartherThanItMay) {
+  Options options;
+  options.parameters.seeds = SeedRule::SingleTriangle;
+  options.parameters.restart = false;
+  options.parameters.fill_small_loops = false;
+  options.parameters.bend_first = options.parameters.bend_max = 12;
+  const Meshed result = meshOf(test::evenSample("sphere", 0.2), options);
+  HalfEdgeMesh mesh;
+  ASSERT_TRUE(buildMesh(result.set.size(), result.mesh.triangles, mesh));
+  const auto normal = [&](Index h) {
+    const Vec3& u = result.vertices[mesh.origin(h)];
+    return (result.vertices[mesh.target(h)] - u).cross(result.vertices[mesh.opposite(h)] - u).normalized();
+  };
+  // Every triangle but the first was attached across an edge that bends by no more than that.
+  std::vector<Index> reached = {0};
+  std::vector<char> seen(result.mesh.triangles.size(), 0);
+  seen[0] = 1;
+  int sharper = 0;
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    for (Index h = 3 * reached[next]; h < 3 * reached[next] + 3; ++h) {
+      if (mesh.isBorder(h)) continue;
+      const Index other = HalfEdgeMesh::triangleOf(mesh.twin(h));
+      const bool flat = normal(h).dot(normal(mesh.twin(h))) >= std::cos(12.0001 * 0.0174532925199433);
+      sharper += flat ? 0 : 1;
+      if (!flat || seen[other]) continue;
+      seen[other] = 1;
+      reached.push_back(other);
+    }
+  }
+  EXPECT_EQ(reached.size(), result.mesh.triangles.size());
+  EXPECT_GT(reached.size(), 50u);
+  EXPECT_GT(sharper, 0);
 }
 
 /// Lattices over a square with a round opening in the middle.

@@ -148,6 +148,26 @@ TEST(BorderFill, UsesNoEdgeTwice) {
   test::expectSound(reportMesh(solid.vertices, mesh.triangles()));
 }
 
+TEST(BorderFill, KeepsOffEdgesThatStandOverTheHole) {
+  // A square hole with two opposite corners lifted: the smoothest fill cuts it from one of the others to the
+  // other, unless a fin stands there already.
+  Points points = sheetPoints();
+  points[at(5, 5)].z() = points[at(6, 6)].z() = 0.1;
+  points.emplace_back(5.5, 5.5, 5);
+  const Index fin = kSide * kSide;
+  for (const bool has_fin : {false, true}) {
+    HalfEdgeMesh mesh = sheet();
+    removeFace(mesh, at(5, 5), at(6, 5));
+    removeFace(mesh, at(6, 6), at(5, 6));
+    mesh.addVertex();
+    if (has_fin) mesh.addTriangle(at(6, 5), at(5, 6), fin);
+    const Index before = mesh.triangleCount();
+    EXPECT_EQ(fillLoops(mesh, points, limits(4, 100)).triangles, 2);
+    EXPECT_EQ(mesh.triangleCount(), before + 2);
+    EXPECT_EQ(mesh.find(at(5, 5), at(6, 6)) != kNone, has_fin);
+  }
+}
+
 TEST(BorderFill, MakesNoDegenerateTriangle) {
   HalfEdgeMesh mesh = sheet();
   for (Index y = 4; y < 7; ++y) removeStar(mesh, at(5, y));  // a hole with straight sides of four edges

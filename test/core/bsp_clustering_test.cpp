@@ -5,8 +5,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "mlsmesh/core/failure.h"
@@ -209,6 +211,25 @@ TEST(BspClustering, CanBeCancelled) {
     FAIL() << "was not cancelled";
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), StatusCode::Cancelled);
+  }
+}
+
+TEST(BspClustering, LeavesNothingHalfDoneWhenCancelled) {
+  const Points points = test::randomCloud(200000, 1);
+  for (const int delay : {1, 5, 20}) {
+    Context context = test::withThreads(1);
+    std::thread other([handle = context.progress, delay]() mutable {
+      std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+      handle.cancel();
+    });
+    try {
+      const IndexLists clusters = clusterPoints(points, {}, context);
+      for (Index c = 0; c < clusters.count(); ++c)
+        EXPECT_LE(clusters.size(c), ClusteringParameters().max_size);
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), StatusCode::Cancelled);
+    }
+    other.join();
   }
 }
 

@@ -45,6 +45,15 @@ struct Stars {
   Index count() const { return static_cast<Index>(points.size()); }
 };
 
+/// Clumps of eight points, ten times farther from each other than their points.
+Points clumps() {
+  const Points offsets = test::randomCloud(8 * 400, 8);
+  Points points;
+  for (const Vec3& center : test::planeLattice(20, 20))
+    for (int i = 0; i < 8; ++i) points.push_back(center + 0.15 * offsets[points.size()]);
+  return points;
+}
+
 /// Clean samples, a lattice with ties everywhere, and clouds that are no surface at all.
 std::vector<Points> clouds() {
   return {test::evenSample("sphere", 0.08),
@@ -52,6 +61,7 @@ std::vector<Points> clouds() {
           test::randomSample(*shapes::makeShape("torus"), 3000),
           test::planeLattice(30, 30),
           test::lattice(9),
+          clumps(),
           test::randomCloud(2000, 3)};
 }
 

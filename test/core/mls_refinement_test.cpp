@@ -256,6 +256,51 @@ TEST(MlsRefinement, LeavesThinTrianglesWhole) {
   }
 }
 
+TEST(MlsRefinement, KeepsNewVerticesWithinTheirLimits) {
+  // So noisy that many projections lead away from their edges.
+  const Coarse coarse(test::noisy(test::evenSample("cylinder", 0.05), 0.06));
+  RefinementParameters parameters = everyEdge(1);
+  parameters.fold_guard = false;
+  parameters.max_displacement = 0.2;
+  parameters.border_displacement = 0.05;
+  const RefinedMesh mesh = coarse.refined(parameters);
+  const HalfEdgeMesh before = halfEdges(mesh, 0);
+  int clamped = 0, clamped_on_border = 0;
+  for (Index v = mesh.level_vertices[0]; v < mesh.level_vertices[1]; ++v) {
+    const auto [a, b] = mesh.parents[v];
+    const Index h = before.find(a, b) != kNone ? before.find(a, b) : before.find(b, a);
+    ASSERT_NE(h, kNone);
+    const double edge = (mesh.position[a] - mesh.position[b]).norm();
+    const double moved = (mesh.position[v] - 0.5 * (mesh.position[a] + mesh.position[b])).norm();
+    EXPECT_LE(moved, (before.isBorder(h) ? 0.05 : 0.2) * edge * (1 + 1e-9));
+    if (mesh.kind[v] == VertexKind::Clamped) ++(before.isBorder(h) ? clamped_on_border : clamped);
+  }
+  EXPECT_GT(clamped, 0);
+  EXPECT_GT(clamped_on_border, 0);
+}
+
+TEST(MlsRefinement, MovesBordersAlongTheSurfaceNormalAlone) {
+  // The mesh ends half a spacing inside the lattice: the projections of its border stay in the plane, and
+  // their tangential part, which would move the loop, is taken off.
+  Points bowl = test::planeLattice(40, 40);
+  for (Vec3& p : bowl) p.z() = 0.01 * (p.x() * p.x() + p.y() * p.y());
+  const Coarse coarse(bowl);
+  RefinementParameters parameters = everyEdge(1);
+  parameters.fold_guard = false;
+  const RefinedMesh mesh = coarse.refined(parameters);
+  const HalfEdgeMesh before = halfEdges(mesh, 0);
+  const Points normals = vertexNormals(mesh.level_triangles[0], mesh.position);
+  int checked = 0;
+  for (Index v = mesh.level_vertices[0]; v < mesh.level_vertices[1]; ++v) {
+    if (mesh.kind[v] != VertexKind::Border) continue;
+    const auto [a, b] = mesh.parents[v];
+    const Vec3 moved = mesh.position[v] - 0.5 * (mesh.position[a] + mesh.position[b]);
+    EXPECT_LT(moved.cross((normals[a] + normals[b]).normalized()).norm(), 1e-9);
+    ++checked;
+  }
+  EXPECT_GT(checked, 10);
+}
+
 TEST(MlsRefinement, GuardsFolds) {
   // A mesh far coarser than the noise of its cloud: many projections turn children over.
   const Coarse coarse(test::noisy(test::evenSample("sphere", 0.05), 0.06));

@@ -137,6 +137,15 @@ TEST(Multiresolution, IsSoundOnScansThatAreNotClean) {
   }
 }
 
+TEST(Multiresolution, MayUseAPointTwice) {
+  MultiresolutionParameters parameters;
+  parameters.reduce = false;  // a front among points in a box meets itself all the time
+  const Reconstruction result = meshOf(test::randomCloud(1500, 1), parameters);
+  expectConsistent(result);
+  expectClustersOfLevelZero(result);
+  EXPECT_GT(result.front.split_vertices, 0);
+}
+
 TEST(Multiresolution, IsSoundFarFromTheOrigin) {
   test::Similarity motion;
   motion.shift = Vec3(431000.25, 5240000.5, 300);  // as in a map; floats are 0.03 to 0.5 apart there
