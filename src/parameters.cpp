@@ -27,6 +27,8 @@ MultiresolutionParameters paperPreset() {
   paper.refinement.threshold = 0.015;
   paper.refinement.min_edge_ratio = 0.45;
   paper.refinement.flips = FlipRule::Length;
+
+  paper.features.detect = false;
   return paper;
 }
 

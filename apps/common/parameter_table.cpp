@@ -112,6 +112,20 @@ void addClustering(std::vector<Parameter>& table) {
       .zero_is_off = true;
 }
 
+void addFeatures(std::vector<Parameter>& table) {
+  using Step = FeatureParameters;
+  StepRows<Step> rows(table, "features.", &All::features);
+  rows.add("detect", &Step::detect, "look for the sharp edges of the surface and keep them");
+  rows.add("angle", &Step::angle, Limits{10, 80, false},
+           "degrees between the sides of an edge that counts as sharp");
+  rows.add("spacing", &Step::spacing, Limits{1, 4, false},
+           "local spacings between the vertices that the first mesh has on sharp edges");
+  rows.add("max_noise", &Step::max_noise, kPositive,
+           "noise, in local spacings, of the worst cloud that is searched for sharp edges");
+  rows.add("threshold_share", &Step::threshold_share, kPositive,
+           "in a cloud with sharp edges, edges are split from this share of refinement.threshold on");
+}
+
 void addProjection(std::vector<Parameter>& table) {
   using Step = ProjectionParameters;
   StepRows<Step> rows(table, "projection.", &All::projection);
@@ -241,6 +255,7 @@ std::vector<Parameter> makeTable() {
   std::vector<Parameter> table;
   addGeneral(table);
   addClustering(table);
+  addFeatures(table);
   addProjection(table);
   addNoise(table);
   addOutliers(table);

@@ -177,11 +177,23 @@ struct OutlierParameters {
   int smallest_group = 10;  ///< points of the cloud in the smallest group that is kept, >= 1
 };
 
+/// Sharp edges of the surface, found in the cloud and kept by every step.
+struct FeatureParameters {
+  bool detect = true;
+  double angle = 30.0;           ///< degrees between the sides of an edge that counts as sharp, 10 .. 80
+  double spacing = 2.0;          ///< local spacings between the vertices that level 0 has on it, 1 .. 4
+  double max_noise = 0.12;       ///< of a cloud that is searched: the distance from smooth surfaces, in local
+                                 ///< spacings, that a quarter of its places stay below, > 0
+  double threshold_share = 0.6;  ///< in a cloud with sharp edges, edges are split from this share of
+                                 ///< refinement.threshold on, > 0
+};
+
 /// All four steps.
 struct MultiresolutionParameters {
   bool reduce = true;            ///< false: triangulate the input points themselves
   int min_representatives = 50;  ///< clusters shrink until there are so many, down to single points, >= 3
   ClusteringParameters clustering;
+  FeatureParameters features;
   ProjectionParameters projection;  ///< one Psi for reduction and refinement
   NoiseParameters noise;
   OutlierParameters outliers;

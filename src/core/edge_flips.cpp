@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "overlap_tests.h"
 
@@ -83,6 +84,18 @@ bool isConvexAndUpright(const Quad& q) {
   return unitNormal(q.x, q.w, q.u).dot(mean) >= kMayTurn && unitNormal(q.w, q.x, q.v).dot(mean) >= kMayTurn;
 }
 
+bool touchesCrease(const HalfEdgeMesh& mesh, const std::vector<VertexKind>& kinds, Index h) {
+  const Index corners[] = {mesh.origin(h), mesh.target(h), mesh.opposite(h), mesh.opposite(mesh.twin(h))};
+  return std::any_of(std::begin(corners), std::end(corners),
+                     [&](Index v) { return kinds[v] == VertexKind::Crease; });
+}
+
+bool staysFlat(const Quad& q) {
+  const Vec3 uvw = unitNormal(q.u, q.v, q.w), vux = unitNormal(q.v, q.u, q.x);
+  const Vec3 xwu = unitNormal(q.x, q.w, q.u), wxv = unitNormal(q.w, q.x, q.v);
+  return std::min({uvw.dot(vux), xwu.dot(wxv), xwu.dot(uvw), xwu.dot(vux)}) >= kHarmlessBend;
+}
+
 bool keepsFan(const HalfEdgeMesh& mesh, Index vertex) {
   return mesh.degree(vertex) > (mesh.isInterior(vertex) ? 3 : 1);
 }
@@ -96,7 +109,8 @@ bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index 
 
 }  // namespace
 
-Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard) {
+Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
+                const std::vector<VertexKind>* kinds) {
   if (rule == FlipRule::NoFlips) return 0;
   Index total = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -106,6 +120,7 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
       if (g == kNone || g < h) continue;
       const Quad q{position[mesh.origin(h)], position[mesh.target(h)], position[mesh.opposite(h)],
                    position[mesh.opposite(g)]};
+      if (kinds && touchesCrease(mesh, *kinds, h) && !staysFlat(q)) continue;
       if (isBetter(q, rule) && mayFlip(mesh, position, h, q, guard)) flipped += mesh.flip(h) ? 1 : 0;
     }
     total += flipped;

@@ -18,6 +18,8 @@ namespace {
 constexpr double kFarCentroid =
     0.7;  // local spacings between centroid and nearest member: start from the member
 constexpr double kLeastReach = 0.3;  // local spacings that a projection may always move
+constexpr double kSideCone = 0.75;   // cosine of the normals of points of one side
+constexpr double kNearCrease = 0.9;  // local spacings within which a crease vertex stands for the place
 
 struct ClusterShape {
   Vec3 centroid;
@@ -49,33 +51,56 @@ bool lands(const Projection& projection, const Vec3& start, double reach) {
          (projection.position - start).norm() <= reach;
 }
 
-Projection inputPoint(const MlsSurface& surface, Index point) {
-  Projection projection = surface.project(surface.points()[point]);
-  projection.position = surface.points()[point];
+// One side of the surface near a sharp edge; the whole surface elsewhere (no normal).
+struct Side {
+  const MlsSurface& surface;
+  const std::vector<Vec3>& normals;  // of the points
+  Vec3 normal;
+
+  bool isWhole() const { return normal.squaredNorm() == 0; }
+  Projection project(const Vec3& x, int degree) const {
+    return isWhole() ? surface.project(x, degree)
+                     : surface.projectSide(x, degree, normal, normals, kSideCone);
+  }
+};
+
+Projection inputPoint(const Side& side, Index point) {
+  const Vec3& position = side.surface.points()[point];
+  Projection projection = side.project(position, side.surface.parameters().degree);
+  projection.position = position;
   projection.nearest = point;
   projection.kind = VertexKind::InputPoint;
   return projection;
 }
 
-Projection representativeOf(const MlsSurface& surface, const ClusterShape& shape,
+Projection representativeOf(const Side& side, const ClusterShape& shape,
                             const ReductionParameters& parameters) {
+  const MlsSurface& surface = side.surface;
   const int degree = surface.parameters().degree;
   const bool guarded = parameters.clamp == ClampRule::Guarded;
-  const Vec3 first = surface.startFrom(shape.centroid);
-  Projection projection = surface.project(first, degree);
+  const Vec3 first = side.isWhole() ? surface.startFrom(shape.centroid) : shape.centroid;
+  Projection projection = side.project(first, degree);
   Vec3 start = shape.centroid;
   if (guarded && shape.off > kFarCentroid * projection.spacing) {
     start = surface.points()[shape.central];
-    projection = surface.project(start, degree);
+    projection = side.project(start, degree);
   }
   const double reach = guarded ? std::max(0.5 * shape.radius, kLeastReach * projection.spacing)
                                : std::numeric_limits<double>::max();
   if (lands(projection, start, reach)) return projection;
   if (degree > 1) {
-    projection = surface.project(start, 1);
+    projection = side.project(start, 1);
     if (lands(projection, start, reach)) return projection;
   }
-  return inputPoint(surface, shape.central);
+  return inputPoint(side, shape.central);
+}
+
+Projection creaseRepresentative(const MlsSurface& surface, const CreaseVertex& vertex) {
+  Projection projection = surface.project(vertex.position);
+  projection.position = vertex.position;
+  projection.normal = vertex.normal;
+  projection.kind = VertexKind::Crease;
+  return projection;
 }
 
 // Equal positions, first cluster of each group -> kNone, the others -> the first.
@@ -129,6 +154,7 @@ void keepOnly(const std::vector<Index>& kept, Representatives& representatives) 
   keepOnly(kept, representatives.spacing);
   keepOnly(kept, representatives.nearest);
   keepOnly(kept, representatives.kind);
+  if (!representatives.crease.empty()) keepOnly(kept, representatives.crease);
 }
 
 // Drops every representative i with joins[i] != kNone; its members join that one, which is kept.
@@ -142,10 +168,38 @@ void dropJoined(const std::vector<Index>& joins, Representatives& representative
   clusters = mergeClusters(clusters, joins);
 }
 
+// The crease vertex that stands for each representative near it, or kNone.
+std::vector<Index> nearCreases(const Representatives& representatives, Index first_crease) {
+  const std::vector<Vec3> crease(representatives.position.begin() + first_crease,
+                                 representatives.position.end());
+  const auto search = makeKdTree(crease);
+  std::vector<Index> same_as(representatives.position.size(), kNone);
+  for (Index i = 0; i < first_crease; ++i) {
+    Index nearest = kNone;
+    double squared_distance = 0;
+    search->nearest(representatives.position[i], 1, &nearest, &squared_distance);
+    const double reach = kNearCrease * representatives.spacing[i];
+    if (squared_distance < reach * reach) same_as[i] = first_crease + nearest;
+  }
+  return same_as;
+}
+
+void numberCreases(Index first_crease, Representatives& representatives) {
+  representatives.crease.assign(representatives.position.size(), kNone);
+  std::iota(representatives.crease.begin() + first_crease, representatives.crease.end(), 0);
+}
+
 }  // namespace
 
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
-                             const ReductionParameters& parameters, const Context& context) {
+                             const ReductionParameters& parameters, const Context& context,
+                             const Features& features) {
+  SidedClusters sided;
+  sided.first_crease = clusters.count();
+  if (features.any()) {
+    sided = clustersBySide(points, clusters, features);
+    clusters = std::move(sided.clusters);
+  }
   const std::size_t count = static_cast<std::size_t>(clusters.count());
   Representatives result;
   result.position.resize(count);
@@ -154,11 +208,17 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   result.spacing.resize(count);
   result.nearest.resize(count);
   result.kind.resize(count);
+  const auto make = [&](Index cluster) {
+    if (cluster >= sided.first_crease) {
+      return creaseRepresentative(surface, features.vertices[cluster - sided.first_crease]);
+    }
+    const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
+    const Vec3 normal = features.any() ? sided.normal[cluster] : Vec3(Vec3::Zero());
+    return representativeOf({surface, features.normal, normal}, shape, parameters);
+  };
   parallelBlocks(context, count, 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Index cluster = static_cast<Index>(i);
-      const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
-      const Projection projection = representativeOf(surface, shape, parameters);
+      const Projection projection = make(static_cast<Index>(i));
       result.position[i] = points.stored(projection.position);
       result.normal[i] = projection.normal;
       result.variation[i] = projection.variation;
@@ -167,6 +227,10 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
       result.kind[i] = projection.kind;
     }
   });
+  if (features.any()) {
+    numberCreases(sided.first_crease, result);
+    dropJoined(nearCreases(result, sided.first_crease), result, clusters);
+  }
   dropJoined(coincident(result.position), result, clusters);
   return result;
 }

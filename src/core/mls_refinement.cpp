@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crease_edges.h"
 #include "edge_flips.h"
 #include "edge_split.h"
 #include "mlsmesh/core/failure.h"
@@ -42,20 +43,25 @@ class EdgeTest {
  public:
   EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing,
            const RefinementParameters& parameters, const HalfEdgeMesh& mesh,
-           const std::vector<Vec3>& position, const std::vector<Vec3>& normals)
+           const std::vector<Vec3>& position, const std::vector<Vec3>& normals, const CreaseEdges& creases)
       : points_(points),
         surface_(surface),
         spacing_(spacing),
         parameters_(parameters),
         mesh_(mesh),
         position_(position),
-        normals_(normals) {}
+        normals_(normals),
+        creases_(creases) {}
 
   SplitEdge evaluate(Index half_edge) const {
     SplitEdge edge;
     edge.half_edge = half_edge;
     const Index u = mesh_.origin(half_edge), v = mesh_.target(half_edge);
     const Vec3 middle = 0.5 * (position_[u] + position_[v]);
+    if (creases_.isNear(half_edge)) {
+      evaluateNearCrease(middle, (position_[u] - position_[v]).norm(), edge);
+      return edge;
+    }
     const Vec3 normal = normalAt(half_edge);
     Projection projection;
     if (parameters_.test == RefinementTest::Displacement) {
@@ -72,6 +78,21 @@ class EdgeTest {
   }
 
  private:
+  void evaluateNearCrease(const Vec3& middle, double length, SplitEdge& edge) const {
+    Vec3 normal = creases_.meanNormal(edge.half_edge);
+    if (normal.isZero()) normal = normalAt(edge.half_edge);
+    Projection projection;
+    double offset = 0;
+    if (creases_.isAlong(edge.half_edge) && creases_.onCrease(edge.half_edge, projection)) {
+      offset = (projection.position - middle).norm();
+    } else {
+      projection = creases_.onSide(middle, normal);
+      offset = std::abs((projection.position - middle).dot(normal));
+    }
+    edge.marked = offset >= parameters_.threshold * projection.spacing;
+    if (edge.marked) place(projection, middle, normal, length, edge);
+  }
+
   Vec3 normalAt(Index half_edge) const {
     const Vec3 sum = normals_[mesh_.origin(half_edge)] + normals_[mesh_.target(half_edge)];
     const double length = sum.norm();
@@ -113,6 +134,7 @@ class EdgeTest {
   const HalfEdgeMesh& mesh_;
   const std::vector<Vec3>& position_;
   const std::vector<Vec3>& normals_;
+  const CreaseEdges& creases_;
 };
 
 // Triangles too thin to divide keep their edges whole.
@@ -166,11 +188,13 @@ std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const st
 }
 
 void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
-              const RefinementParameters& parameters, const Context& context, RefinedMesh& refined) {
+              const RefinementParameters& parameters, const Context& context, RefinedMesh& refined,
+              const Features& features) {
   const HalfEdgeMesh mesh = finestMesh(refined);
   const EdgeNumbers numbers = numberEdges(mesh);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
-  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals);
+  const CreaseEdges creases(features, surface, mesh, refined);
+  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals, creases);
   std::vector<SplitEdge> edges(numbers.first.size());
   parallelBlocks(context, edges.size(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) edges[e] = test.evaluate(numbers.first[e]);
@@ -190,7 +214,7 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, finer, &why)) {
     throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
   }
-  flipEdges(finer, refined.position, parameters.flips, parameters.flip_guard);
+  flipEdges(finer, refined.position, parameters.flips, parameters.flip_guard, &refined.kind);
   refined.level_triangles.push_back(finer.triangles());
   refined.level_vertices.push_back(finer.vertexCount());
 }

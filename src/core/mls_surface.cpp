@@ -254,6 +254,51 @@ Index nearestTo(const std::vector<Vec3>& points, const Vec3& position, const Nei
   return best;
 }
 
+// Psi(x) from the neighbours given; their local spacing may be that of more points.
+Projection fitProjection(const std::vector<Vec3>& points, const ProjectionParameters& parameters,
+                         double residual_limit, const Vec3& x, int degree, double spacing,
+                         Neighborhood& around) {
+  Projection result;
+  result.spacing = spacing;
+  result.support = supportRadius(around, result.spacing, parameters);
+  result.mean_difference = meanDifferenceOf(points, x, around);
+
+  weigh(points, x, result.support, around);
+  Fit fit;
+  if (parameters.method == ProjectionMethod::Levin) {
+    fit.frame = alternatingFrame(points, x, result.spacing, result.support, parameters, around, fit.foot);
+    fitWithFallback(points, degree, result.support, around, fit);
+  } else {
+    fitInOneStep(points, x, degree, result.support, around, fit);
+    while (residual_limit > 0 && result.support > kLeastSupport * kSupportStep * result.spacing &&
+           rmsResidual(points, fit, result.support, around) > residual_limit) {
+      result.support = std::max(kLeastSupport * result.spacing, kSupportShrink * result.support);
+      truncate(2 * result.support, around);
+      weigh(points, x, result.support, around);
+      fitInOneStep(points, x, degree, result.support, around, fit);
+    }
+  }
+  result.variation = fit.frame.variation;
+  result.kind = fit.degree == parameters.degree ? VertexKind::Projected : VertexKind::LowerDegree;
+  result.position = fit.foot + fit.height.g[0] * result.support * fit.frame.normal();
+  result.normal = fit.frame.axes * Vec3(1, -fit.height.g[1], -fit.height.g[2]).normalized();
+  result.nearest = nearestTo(points, result.position, around);
+  return result;
+}
+
+// Keeps the first `count` neighbours whose normal is that of the side, or unknown.
+void keepSide(const Vec3& normal, const std::vector<Vec3>& normals, double cone, int count,
+              Neighborhood& around) {
+  int kept = 0;
+  for (int i = 0; i < around.count && kept < count; ++i) {
+    const Vec3& other = normals[around.index[i]];
+    if (other.squaredNorm() > 0 && std::abs(other.dot(normal)) <= cone) continue;
+    around.index[kept] = around.index[i];
+    around.squared_distance[kept++] = around.squared_distance[i];
+  }
+  around.count = kept;
+}
+
 }  // namespace
 
 MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
@@ -265,32 +310,20 @@ MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& se
 Projection MlsSurface::project(const Vec3& x, int degree) const {
   Neighborhood around;
   findNeighbors(search_, x, parameters_, around);
-  Projection result;
-  result.spacing = localSpacing(around);
-  result.support = supportRadius(around, result.spacing, parameters_);
-  result.mean_difference = meanDifferenceOf(points_, x, around);
+  return fitProjection(points_, parameters_, residual_limit_, x, degree, localSpacing(around), around);
+}
 
-  weigh(points_, x, result.support, around);
-  Fit fit;
-  if (parameters_.method == ProjectionMethod::Levin) {
-    fit.frame = alternatingFrame(points_, x, result.spacing, result.support, parameters_, around, fit.foot);
-    fitWithFallback(points_, degree, result.support, around, fit);
-  } else {
-    fitInOneStep(points_, x, degree, result.support, around, fit);
-    while (residual_limit_ > 0 && result.support > kLeastSupport * kSupportStep * result.spacing &&
-           rmsResidual(points_, fit, result.support, around) > residual_limit_) {
-      result.support = std::max(kLeastSupport * result.spacing, kSupportShrink * result.support);
-      truncate(2 * result.support, around);
-      weigh(points_, x, result.support, around);
-      fitInOneStep(points_, x, degree, result.support, around, fit);
-    }
-  }
-  result.variation = fit.frame.variation;
-  result.kind = fit.degree == parameters_.degree ? VertexKind::Projected : VertexKind::LowerDegree;
-  result.position = fit.foot + fit.height.g[0] * result.support * fit.frame.normal();
-  result.normal = fit.frame.axes * Vec3(1, -fit.height.g[1], -fit.height.g[2]).normalized();
-  result.nearest = nearestTo(points_, result.position, around);
-  return result;
+Projection MlsSurface::projectSide(const Vec3& x, int degree, const Vec3& normal,
+                                   const std::vector<Vec3>& normals, double cone) const {
+  constexpr int kLeastSide = 6;
+  Neighborhood around;
+  const int wanted = std::min(2 * parameters_.neighbors, kMaxNeighbors);
+  around.count = search_.nearest(x, wanted, around.index.data(), around.squared_distance.data());
+  const int nearest = std::min(around.count, parameters_.neighbors);
+  const double spacing = std::sqrt(around.squared_distance[nearest - 1]) / std::sqrt(nearest / kPi);
+  keepSide(normal, normals, cone, nearest, around);
+  if (around.count < kLeastSide) return project(x, degree);
+  return fitProjection(points_, parameters_, residual_limit_, x, degree, spacing, around);
 }
 
 bool MlsSurface::isStray(Index point, double distance) const {

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "mlsmesh/core/bsp_clustering.h"
+#include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/noise.h"
 #include "mlsmesh/core/outliers.h"
 #include "mlsmesh/core/parameter_check.h"
+#include "side_flips.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -113,6 +115,32 @@ void makeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
   mesh.level_vertices.push_back(static_cast<Index>(mesh.position.size()));
 }
 
+// The normals of the surface at the vertices of level 0; none away from sharp edges.
+std::vector<VertexSides> vertexSides(const Reconstruction& result) {
+  const RefinedMesh& mesh = result.mesh;
+  std::vector<VertexSides> sides(mesh.position.size());
+  for (std::size_t v = 0; v < sides.size(); ++v) {
+    const Index crease = result.representatives.crease[result.representative_of[v]];
+    if (crease != kNone) {
+      sides[v] = {result.features.vertices[crease].side_normal, result.features.vertices[crease].sides};
+    } else {
+      sides[v].normal[0] = result.representatives.normal[result.representative_of[v]];
+      sides[v].count = 1;
+    }
+  }
+  return sides;
+}
+
+void turnToSides(Reconstruction& result) {
+  RefinedMesh& mesh = result.mesh;
+  HalfEdgeMesh level;
+  std::string why;
+  if (!buildMesh(static_cast<Index>(mesh.position.size()), mesh.level_triangles[0], level, &why)) {
+    throw Failure(StatusCode::Internal, "the triangulation is not a manifold: " + why);
+  }
+  if (flipToSides(level, mesh.position, vertexSides(result)) > 0) mesh.level_triangles[0] = level.triangles();
+}
+
 MeshReport reportLevel(const RefinedMesh& mesh, Index level) {
   const std::vector<Vec3> vertices(mesh.position.begin(), mesh.position.begin() + mesh.level_vertices[level]);
   return reportMesh(vertices, mesh.level_triangles[level]);
@@ -182,6 +210,18 @@ std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context,
   return found;
 }
 
+// Looks for sharp edges, which denoising has rounded off, and reduces again where there are some.
+void keepFeatures(const Surroundings& cloud, const Context& context, Reconstruction& result) {
+  MultiresolutionParameters& parameters = result.noise.parameters;
+  if (!parameters.features.detect || result.noise.passes > 0) return;
+  result.features =
+      detectFeatures(cloud.points, cloud.search(), result.clusters, parameters.features, context);
+  if (!result.features.any()) return;
+  result.representatives = reducePoints(cloud.points, cloud.surface(), result.clusters, parameters.reduction,
+                                        context, result.features);
+  parameters.refinement.threshold *= parameters.features.threshold_share;
+}
+
 void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruction& result) {
   if (!result.noise.parameters.reduce) {
     result.clusters = singletons(cloud.points.size());
@@ -202,6 +242,7 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
     }
     dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
   });
+  stages.run("features", 0.35, [&] { keepFeatures(cloud, context, result); });
   if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
 }
 
@@ -221,6 +262,7 @@ void triangulateRepresentatives(const NeighborSearch& search, const Context& con
   const Triangulation triangulation = triangulate(input, result.noise.parameters.triangulation, context);
   result.front = triangulation.statistics;
   makeLevelZero(triangulation, result);
+  if (result.features.any()) turnToSides(result);
 }
 
 }  // namespace
@@ -250,7 +292,8 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   for (int level = 1; level <= refinement.levels; ++level) {
     const double share = static_cast<double>(level) / refinement.levels;
     stages.run("refinement " + std::to_string(level), begin + share * (0.95 - begin), [&] {
-      addLevel(cloud->points, cloud->surface(), result.spacing, refinement, context, result.mesh);
+      addLevel(cloud->points, cloud->surface(), result.spacing, refinement, context, result.mesh,
+               result.features);
     });
   }
   stages.run("report", 1.0, [&] {

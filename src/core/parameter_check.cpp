@@ -73,6 +73,13 @@ void check(const OutlierParameters& parameters) {
   checkAtLeast("outliers.smallest_group", parameters.smallest_group, 1);
 }
 
+void check(const FeatureParameters& parameters) {
+  checkRange("features.angle", parameters.angle, 10, 80);
+  checkRange("features.spacing", parameters.spacing, 1, 4);
+  checkPositive("features.max_noise", parameters.max_noise);
+  checkPositive("features.threshold_share", parameters.threshold_share);
+}
+
 void check(const TriangulationParameters& parameters) {
   checkRange("triangulation.neighbors", parameters.neighbors, 4, 512);
   checkRange("triangulation.bend_first", parameters.bend_first, 0, 180);
@@ -97,6 +104,7 @@ void check(const RefinementParameters& parameters) {
 void check(const MultiresolutionParameters& parameters) {
   checkAtLeast("min_representatives", parameters.min_representatives, 3);
   check(parameters.clustering);
+  check(parameters.features);
   check(parameters.projection);
   check(parameters.noise);
   check(parameters.outliers);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/features.h"
 #include "mlsmesh/core/mls_surface.h"
 #include "mlsmesh/core/point_set.h"
 
@@ -14,15 +15,18 @@ struct Representatives {
   std::vector<double> spacing;    ///< local spacing of the input there
   std::vector<Index> nearest;     ///< point of the set nearest to the representative
   std::vector<VertexKind> kind;
+  std::vector<Index> crease;  ///< number of the crease vertex, or kNone; empty if there are none
 
   Index size() const { return static_cast<Index>(position.size()); }
 };
 
 /// Step 2: projects the centroid of every cluster (paper section 2.2). Representatives that coincide once
 /// rounded are kept once (the first cluster's); `clusters` is changed accordingly: the members of a dropped
-/// one join the kept one.
+/// one join the kept one. With features, clusters near sharp edges are divided by side and projected on it,
+/// the crease vertices come last, and representatives too near to one are dropped.
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
-                             const ReductionParameters& parameters, const Context& context);
+                             const ReductionParameters& parameters, const Context& context,
+                             const Features& features = {});
 
 /// Drops the representatives whose `keep` is 0, with their clusters.
 void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,

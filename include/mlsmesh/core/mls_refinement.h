@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mlsmesh/core/features.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 #include "mlsmesh/core/mls_surface.h"
 #include "mlsmesh/core/point_set.h"
@@ -22,9 +23,12 @@ struct RefinedMesh {
 };
 
 /// Step 4: adds one level to `mesh`, whose finest level must be an oriented 2-manifold. `spacing` is the
-/// cloud's. The vertices of the level before stay where they are. Throws Failure(InvalidMesh, Cancelled).
+/// cloud's. The vertices of the level before stay where they are. Near sharp edges (features), edges are
+/// refined on their side of the surface, and those along one where the sides meet. Throws
+/// Failure(InvalidMesh, Cancelled).
 void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
-              const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh);
+              const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh,
+              const Features& features = {});
 
 /// Adds parameters.levels levels.
 void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing,

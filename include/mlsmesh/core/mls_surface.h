@@ -14,6 +14,7 @@ enum class VertexKind : std::uint8_t {
   Clamped,      ///< displacement cut to its limit
   FoldGuarded,  ///< pulled towards the edge's midpoint, or onto it, to keep the mesh from folding
   Border,       ///< on a border edge: only the part along the normal of the projection was used
+  Crease,       ///< on a sharp edge: where the surfaces of its sides meet
 };
 
 /// Psi(x) and what was learnt on the way.
@@ -46,6 +47,11 @@ class MlsSurface {
   /// `distance` local spacings and six times the median residual of that fit: a stray that should not shape
   /// the surface.
   bool isStray(Index point, double distance) const;
+  /// Psi(x) from the points of one side alone: of twice as many neighbours, the nearest whose normal is
+  /// within arccos(cone) of `normal` (either sign) or unknown (zero). The spacing is that of all. All of the
+  /// nearest where the side has too few.
+  Projection projectSide(const Vec3& x, int degree, const Vec3& normal, const std::vector<Vec3>& normals,
+                         double cone) const;
   /// ||Psi(x) - x||: 0 on the surface.
   double residual(const Vec3& x) const { return (project(x).position - x).norm(); }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "mlsmesh/core/advancing_front.h"
+#include "mlsmesh/core/features.h"
 #include "mlsmesh/core/mls_reduction.h"
 #include "mlsmesh/core/mls_refinement.h"
 #include "mlsmesh/core/neighbor_search.h"
@@ -24,14 +25,15 @@ struct Reconstruction {
   double spacing = 0;     ///< of the cloud
   NoiseAdaptation noise;  ///< what was estimated and what it changed
   IndexLists clusters;    ///< members (points) of each level-0 vertex's cluster
+  Features features;      ///< sharp edges of the cloud
   Representatives representatives;
   RefinedMesh mesh;                      ///< every vertex of a level is used by one of its triangles
   std::vector<Index> representative_of;  ///< representative of each level-0 vertex
   Index outliers = 0;  ///< points of the set in clusters that were dropped because they belong to no surface
   FrontStatistics front;
   std::vector<MeshReport> reports;  ///< one a level
-  /// search, noise, denoising (where it was needed), clustering, reduction, triangulation, refinement 1 .. n,
-  /// report
+  /// search, noise, denoising (where it was needed), reduction, outliers, features, triangulation, refinement
+  /// 1 .. n, report
   std::vector<StageTime> stages;
 };
 

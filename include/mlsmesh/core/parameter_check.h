@@ -7,6 +7,7 @@ namespace mlsmesh::core {
 
 /// Throw Failure(InvalidParameter) that names the first member out of its range, its value and the range.
 void check(const ClusteringParameters& parameters);
+void check(const FeatureParameters& parameters);
 void check(const ProjectionParameters& parameters);
 void check(const NoiseParameters& parameters);
 void check(const OutlierParameters& parameters);

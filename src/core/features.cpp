@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on S. Fleishman, D. Cohen-Or, C. T. Silva, "Robust moving least-squares fitting with
+// sharp features", SIGGRAPH 2005, and M. Pauly, R. Keiser, M. Gross, "Multi-scale feature extraction on
+// point-sampled surfaces", Eurographics 2003: places that are not smooth are told by a cheap measure first.
+// Departure: the measure is the misfit of one quadric, which curvature alone does not raise, taken once a
+// cluster.
+#include "mlsmesh/core/features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crease_feet.h"
+#include "crease_vertices.h"
+#include "mlsmesh/core/parallel.h"
+#include "surface_patch.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr Index kLeastPoints = 100;
+constexpr int kClusterNeighbors = 32;   // of the centroid, in the first test
+constexpr double kRoughCluster = 0.03;  // misfit in local spacings above which its points are tested
+constexpr double kFoldedCluster = 0.1;  // misfit in local spacings of a cluster that may hold an edge ...
+constexpr double kFoldedShare = 0.4;    // ... if two planes leave no more than this share of it
+constexpr double kConfirmed = 0.3;      // share of the points there that must prove to be at an edge
+constexpr int kNeighbors = 25;          // of a point, itself included
+constexpr double kRoughPoint = 0.03;    // misfit in local spacings above which a foot is looked for
+constexpr int kZone = 17;               // nearest points that a foot's point brings into the zone
+constexpr double kPi = 3.14159265358979323846;
+
+// Misfits around each cluster's centroid, in local spacings.
+std::vector<Misfit> clusterMisfits(const std::vector<Vec3>& points, const NeighborSearch& search,
+                                   const IndexLists& clusters, const Context& context) {
+  std::vector<Misfit> misfit(static_cast<std::size_t>(clusters.count()));
+  parallelBlocks(context, misfit.size(), 256, [&](std::size_t first, std::size_t last) {
+    std::array<Index, kClusterNeighbors> nearest;
+    std::array<double, kClusterNeighbors> squared_distance;
+    for (std::size_t c = first; c < last; ++c) {
+      const Index* members = clusters.data(static_cast<Index>(c));
+      const Index size = clusters.size(static_cast<Index>(c));
+      Vec3 sum = Vec3::Zero();
+      for (Index i = 0; i < size; ++i) sum += points[members[i]] - points[members[0]];
+      const int count = search.nearest(points[members[0]] + sum / size, kClusterNeighbors, nearest.data(),
+                                       squared_distance.data());
+      const double spacing = std::sqrt(squared_distance[static_cast<std::size_t>(count - 1)] / (count / kPi));
+      misfit[c] = misfitOf(points, nearest.data(), count, kFoldedCluster * spacing);
+      misfit[c].smooth /= spacing;
+      misfit[c].folded /= spacing;
+    }
+  });
+  return misfit;
+}
+
+// The misfit that a quarter of the clusters stay below: noise is everywhere, curvature is not.
+double noiseOf(const std::vector<Misfit>& misfit) {
+  std::vector<double> smooth;
+  for (const Misfit& m : misfit) smooth.push_back(m.smooth);
+  const auto quartile = smooth.begin() + static_cast<std::ptrdiff_t>(smooth.size() / 4);
+  std::nth_element(smooth.begin(), quartile, smooth.end());
+  return *quartile;
+}
+
+bool isRough(const Misfit& misfit) {
+  return misfit.smooth > kRoughCluster;
+}
+
+bool isFolded(const Misfit& misfit) {
+  return misfit.smooth > kFoldedCluster && misfit.folded < kFoldedShare * misfit.smooth;
+}
+
+std::vector<Index> membersWhere(bool (*isWanted)(const Misfit&), const std::vector<Misfit>& misfit,
+                                const IndexLists& clusters) {
+  std::vector<Index> members;
+  for (Index c = 0; c < clusters.count(); ++c) {
+    if (!isWanted(misfit[c])) continue;
+    members.insert(members.end(), clusters.data(c), clusters.data(c) + clusters.size(c));
+  }
+  return members;
+}
+
+struct RoughPoints {
+  std::vector<Index> points;
+  std::vector<double> residual;
+};
+
+RoughPoints roughAmong(const std::vector<Index>& candidates, const SparseNeighbors& neighbors,
+                       const Context& context) {
+  std::vector<double> residual(candidates.size());
+  parallelBlocks(context, candidates.size(), 256, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      residual[i] = quadricResidual(neighbors.positions(), neighbors.row(candidates[i]), neighbors.k());
+    }
+  });
+  RoughPoints rough;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (residual[i] <= kRoughPoint * neighbors.spacing(candidates[i])) continue;
+    rough.points.push_back(candidates[i]);
+    rough.residual.push_back(residual[i]);
+  }
+  return rough;
+}
+
+struct Creases {
+  std::vector<Index> points;
+  std::vector<CreaseFoot> feet;  // of each point
+};
+
+// The feet of those candidates that lie near a sharp edge.
+Creases creasesAmong(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
+                     RobustNormals& normals, const Context& context) {
+  neighbors.add(candidates, context);
+  const RoughPoints rough = roughAmong(candidates, neighbors, context);
+  addRobustNormals(neighbors.grown(rough.points, kNeighbors), neighbors, context, normals);
+  std::vector<CreaseFoot> feet(rough.points.size());
+  parallelBlocks(context, feet.size(), 128, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      feet[i] = creaseFootOf(rough.points[i], rough.residual[i], cosine, neighbors, normals);
+    }
+  });
+  const std::vector<char> kept = keptFeet(rough.points, feet, neighbors);
+  Creases creases;
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    if (!kept[i]) continue;
+    creases.points.push_back(rough.points[i]);
+    creases.feet.push_back(feet[i]);
+  }
+  return creases;
+}
+
+}  // namespace
+
+Features detectFeatures(const PointSet& set, const NeighborSearch& search, const IndexLists& clusters,
+                        const FeatureParameters& parameters, const Context& context) {
+  Features features;
+  const std::vector<Vec3>& points = set.position;
+  if (!parameters.detect || set.size() < kLeastPoints) return features;
+  const std::vector<Misfit> misfit = clusterMisfits(points, search, clusters, context);
+  features.noise = noiseOf(misfit);
+  if (features.noise > parameters.max_noise) return features;
+
+  SparseNeighbors neighbors(points, search, kNeighbors);
+  RobustNormals normals;
+  const double cosine = std::cos(parameters.angle * kPi / 180);
+  const std::vector<Index> folded = membersWhere(isFolded, misfit, clusters);
+  const Creases sure = creasesAmong(folded, cosine, neighbors, normals, context);
+  if (sure.points.empty() || sure.points.size() < kConfirmed * folded.size()) return features;
+  const Creases creases =
+      creasesAmong(membersWhere(isRough, misfit, clusters), cosine, neighbors, normals, context);
+  const std::vector<Index> zone = neighbors.grown(creases.points, kZone);
+  features.zone.assign(points.size(), 0);
+  for (const Index p : zone) features.zone[p] = 1;
+  std::vector<Index> wide = zone;
+  for (int ring = 0; ring < 2; ++ring) {
+    neighbors.add(wide, context);
+    wide = neighbors.grown(wide, kZone);
+  }
+  addRobustNormals(wide, neighbors, context, normals);
+  chooseCreaseVertices(creases.points, creases.feet, points, search, normals, parameters.spacing, context,
+                       features);
+  features.normal = std::move(normals.normal);
+  return features;
+}
+
+}  // namespace mlsmesh::core
