@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 6> kKindNames = {"projected", "lower_degree", "input_point",
-                                                   "clamped",   "fold_guarded", "border"};
+constexpr std::array<const char*, 7> kKindNames = {"projected",    "lower_degree", "input_point", "clamped",
+                                                   "fold_guarded", "border",       "crease"};
 
 Json parameterJson(const MultiresolutionParameters& parameters) {
   Json json;
