@@ -174,8 +174,7 @@ void nearestPair(const std::vector<SurfacePatch>& patches, const Vec3& start, Cr
 
 bool hasTurnedNeighbor(const Index* row, double cosine, const RobustNormals& normals) {
   const Vec3& own = normals[row[0]];
-  return std::any_of(row + 1, row + kLooked,
-                     [&](Index q) { return std::abs(normals[q].dot(own)) < cosine; });
+  return std::any_of(row + 1, row + kLooked, [&](Index q) { return std::abs(normals[q].dot(own)) < cosine; });
 }
 
 Index rootOf(std::vector<Index>& parent, Index i) {

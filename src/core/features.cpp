@@ -141,12 +141,8 @@ Features detectFeatures(const PointSet& set, const NeighborSearch& search, const
   const std::vector<Index> zone = neighbors.grown(creases.points, kZone);
   features.zone.assign(points.size(), 0);
   for (const Index p : zone) features.zone[p] = 1;
-  std::vector<Index> wide = zone;
-  for (int ring = 0; ring < 2; ++ring) {
-    neighbors.add(wide, context);
-    wide = neighbors.grown(wide, kZone);
-  }
-  normals.add(wide, context);
+  neighbors.add(zone, context);
+  normals.add(neighbors.grown(zone, kNeighbors), context);
   chooseCreaseVertices(creases.points, creases.feet, points, search, normals, parameters.spacing, context,
                        features);
   features.normal = normals.all();

@@ -48,7 +48,9 @@ RobustNormals::Plane RobustNormals::planeAt(Index point) const {
           std::max(solver.eigenvalues()[0], 0.0) / (count * spacing * spacing)};
 }
 
-bool RobustNormals::isFlat(Index point) const { return plane(point).spread <= kFlat; }
+bool RobustNormals::isFlat(Index point) const {
+  return plane(point).spread <= kFlat;
+}
 
 void RobustNormals::addPlanes(const Context& context) {
   const std::size_t before = planes_.size();
