@@ -182,8 +182,7 @@ struct FeatureParameters {
   bool detect = true;
   double angle = 30.0;           ///< degrees between the sides of an edge that counts as sharp, 10 .. 80
   double spacing = 2.0;          ///< local spacings between the vertices that level 0 has on it, 1 .. 4
-  double max_noise = 0.12;       ///< of a cloud that is searched: the distance from smooth surfaces, in local
-                                 ///< spacings, that a quarter of its places stay below, > 0
+  double max_noise = 0.1;        ///< estimated noise of a cloud that is searched, in local spacings, > 0
   double threshold_share = 0.6;  ///< in a cloud with sharp edges, edges are split from this share of
                                  ///< refinement.threshold on, > 0
 };

@@ -55,7 +55,7 @@ Index leastLike(const Index* row, int count, const std::vector<Vec3>& seeds, dou
   double least = cosine;
   for (int i = 0; i < count; ++i) {
     double like = 0;
-    for (const Vec3& seed : seeds) like = std::max(like, std::abs(seed.dot(normals.normal[row[i]])));
+    for (const Vec3& seed : seeds) like = std::max(like, std::abs(seed.dot(normals[row[i]])));
     if (like < least) {
       least = like;
       found = row[i];
@@ -75,18 +75,18 @@ std::size_t mostLike(const std::vector<Vec3>& seeds, const Vec3& normal) {
 // Two or three groups of the row by the directions of their normals (k-means over lines); fewer if it holds
 // no more. Groups of too few points are left out.
 Sides sidesOf(const Index* row, int count, double cosine, const RobustNormals& normals) {
-  std::vector<Vec3> seeds{normals.normal[row[0]]};
+  std::vector<Vec3> seeds{normals[row[0]]};
   while (seeds.size() < 3) {
     const Index other = leastLike(row, count, seeds, cosine, normals);
     if (other == kNone) break;
-    seeds.push_back(normals.normal[other]);
+    seeds.push_back(normals[other]);
   }
   Sides sides;
   if (seeds.size() < 2) return sides;
   for (int round = 0; round < kRounds; ++round) {
     sides.assign(seeds.size(), Side());
     for (int i = 0; i < count; ++i) {
-      const Vec3& normal = normals.normal[row[i]];
+      const Vec3& normal = normals[row[i]];
       const std::size_t s = mostLike(seeds, normal);
       sides[s].add(row[i]);
       sides[s].normal += normal.dot(seeds[s]) < 0 ? Vec3(-normal) : normal;
@@ -173,9 +173,8 @@ void nearestPair(const std::vector<SurfacePatch>& patches, const Vec3& start, Cr
 }
 
 bool hasTurnedNeighbor(const Index* row, double cosine, const RobustNormals& normals) {
-  const Vec3& own = normals.normal[row[0]];
-  return std::any_of(row + 1, row + kLooked,
-                     [&](Index q) { return std::abs(normals.normal[q].dot(own)) < cosine; });
+  const Vec3& own = normals[row[0]];
+  return std::any_of(row + 1, row + kLooked, [&](Index q) { return std::abs(normals[q].dot(own)) < cosine; });
 }
 
 Index rootOf(std::vector<Index>& parent, Index i) {

@@ -139,7 +139,7 @@ void fitAgain(const std::vector<Vec3>& cloud, const NeighborSearch& search, cons
       const int count =
           search.nearest(vertex.position, kRefitPoints, nearest.data(), squared_distance.data());
       const CreaseFoot foot = footBetween(vertex.position, vertex.side_normal[0], vertex.side_normal[1],
-                                          vertex.spacing, nearest.data(), count, cloud, normals.normal);
+                                          vertex.spacing, nearest.data(), count, cloud, normals.all());
       if (foot.sides == 0 || (foot.position - vertex.position).norm() > kMayMove * vertex.spacing) continue;
       vertex.position = foot.position;
       vertex.normal = foot.bisector;

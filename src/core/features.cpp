@@ -18,6 +18,7 @@ namespace mlsmesh::core {
 namespace {
 
 constexpr Index kLeastPoints = 100;
+constexpr double kFlatCluster = 0.002;  // surface variation below which no edge is near
 constexpr int kClusterNeighbors = 32;   // of the centroid, in the first test
 constexpr double kRoughCluster = 0.03;  // misfit in local spacings above which its points are tested
 constexpr double kFoldedCluster = 0.1;  // misfit in local spacings of a cluster that may hold an edge ...
@@ -28,14 +29,16 @@ constexpr double kRoughPoint = 0.03;    // misfit in local spacings above which 
 constexpr int kZone = 17;               // nearest points that a foot's point brings into the zone
 constexpr double kPi = 3.14159265358979323846;
 
-// Misfits around each cluster's centroid, in local spacings.
+// Misfits around each cluster's centroid, in local spacings; 0 where the surface is flat.
 std::vector<Misfit> clusterMisfits(const std::vector<Vec3>& points, const NeighborSearch& search,
-                                   const IndexLists& clusters, const Context& context) {
+                                   const IndexLists& clusters, const std::vector<double>& variation,
+                                   const Context& context) {
   std::vector<Misfit> misfit(static_cast<std::size_t>(clusters.count()));
   parallelBlocks(context, misfit.size(), 256, [&](std::size_t first, std::size_t last) {
     std::array<Index, kClusterNeighbors> nearest;
     std::array<double, kClusterNeighbors> squared_distance;
     for (std::size_t c = first; c < last; ++c) {
+      if (variation[c] < kFlatCluster) continue;
       const Index* members = clusters.data(static_cast<Index>(c));
       const Index size = clusters.size(static_cast<Index>(c));
       Vec3 sum = Vec3::Zero();
@@ -49,15 +52,6 @@ std::vector<Misfit> clusterMisfits(const std::vector<Vec3>& points, const Neighb
     }
   });
   return misfit;
-}
-
-// The misfit that a quarter of the clusters stay below: noise is everywhere, curvature is not.
-double noiseOf(const std::vector<Misfit>& misfit) {
-  std::vector<double> smooth;
-  for (const Misfit& m : misfit) smooth.push_back(m.smooth);
-  const auto quartile = smooth.begin() + static_cast<std::ptrdiff_t>(smooth.size() / 4);
-  std::nth_element(smooth.begin(), quartile, smooth.end());
-  return *quartile;
 }
 
 bool isRough(const Misfit& misfit) {
@@ -110,7 +104,7 @@ Creases creasesAmong(const std::vector<Index>& candidates, double cosine, Sparse
                      RobustNormals& normals, const Context& context) {
   neighbors.add(candidates, context);
   const RoughPoints rough = roughAmong(candidates, neighbors, context);
-  addRobustNormals(neighbors.grown(rough.points, kNeighbors), neighbors, context, normals);
+  normals.add(neighbors.grown(rough.points, kNeighbors), context);
   std::vector<CreaseFoot> feet(rough.points.size());
   parallelBlocks(context, feet.size(), 128, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -130,16 +124,14 @@ Creases creasesAmong(const std::vector<Index>& candidates, double cosine, Sparse
 }  // namespace
 
 Features detectFeatures(const PointSet& set, const NeighborSearch& search, const IndexLists& clusters,
-                        const FeatureParameters& parameters, const Context& context) {
+                        const std::vector<double>& variation, const FeatureParameters& parameters,
+                        const Context& context) {
   Features features;
   const std::vector<Vec3>& points = set.position;
   if (!parameters.detect || set.size() < kLeastPoints) return features;
-  const std::vector<Misfit> misfit = clusterMisfits(points, search, clusters, context);
-  features.noise = noiseOf(misfit);
-  if (features.noise > parameters.max_noise) return features;
-
+  const std::vector<Misfit> misfit = clusterMisfits(points, search, clusters, variation, context);
   SparseNeighbors neighbors(points, search, kNeighbors);
-  RobustNormals normals;
+  RobustNormals normals(neighbors);
   const double cosine = std::cos(parameters.angle * kPi / 180);
   const std::vector<Index> folded = membersWhere(isFolded, misfit, clusters);
   const Creases sure = creasesAmong(folded, cosine, neighbors, normals, context);
@@ -149,15 +141,11 @@ Features detectFeatures(const PointSet& set, const NeighborSearch& search, const
   const std::vector<Index> zone = neighbors.grown(creases.points, kZone);
   features.zone.assign(points.size(), 0);
   for (const Index p : zone) features.zone[p] = 1;
-  std::vector<Index> wide = zone;
-  for (int ring = 0; ring < 2; ++ring) {
-    neighbors.add(wide, context);
-    wide = neighbors.grown(wide, kZone);
-  }
-  addRobustNormals(wide, neighbors, context, normals);
+  neighbors.add(zone, context);
+  normals.add(neighbors.grown(zone, kNeighbors), context);
   chooseCreaseVertices(creases.points, creases.feet, points, search, normals, parameters.spacing, context,
                        features);
-  features.normal = std::move(normals.normal);
+  features.normal = normals.all();
   return features;
 }
 

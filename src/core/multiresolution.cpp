@@ -210,16 +210,17 @@ std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context,
   return found;
 }
 
-// Looks for sharp edges, which denoising has rounded off, and reduces again where there are some.
+// Looks for sharp edges in a clean cloud, and reduces again where there are some.
 void keepFeatures(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   MultiresolutionParameters& parameters = result.noise.parameters;
-  if (!parameters.features.detect || result.noise.passes > 0) return;
-  result.features =
-      detectFeatures(cloud.points, cloud.search(), result.clusters, parameters.features, context);
+  const FeatureParameters& features = parameters.features;
+  if (!features.detect || result.noise.estimate.relative > features.max_noise) return;
+  result.features = detectFeatures(cloud.points, cloud.search(), result.clusters,
+                                   result.representatives.variation, features, context);
   if (!result.features.any()) return;
   result.representatives = reducePoints(cloud.points, cloud.surface(), result.clusters, parameters.reduction,
                                         context, result.features);
-  parameters.refinement.threshold *= parameters.features.threshold_share;
+  parameters.refinement.threshold *= features.threshold_share;
 }
 
 void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruction& result) {

@@ -27,16 +27,12 @@ constexpr double kFarWeight = 0.1;     // of the squared distance between the tw
 constexpr double kSimilar = 0.85;      // cosine of normals that are averaged
 constexpr double kBilateralDecay = 8;  // per squared local spacing off the plane
 
-struct Plane {
-  Vec3 normal;
-  Vec3 centroid;
-  double spread = 0;  // off the plane, in squared local spacings
-};
+}  // namespace
 
-Plane planeAt(const SparseNeighbors& neighbors, Index point) {
-  const std::vector<Vec3>& x = neighbors.positions();
-  const Index* row = neighbors.row(point);
-  const int count = std::min(kPlanePoints, neighbors.k());
+RobustNormals::Plane RobustNormals::planeAt(Index point) const {
+  const std::vector<Vec3>& x = neighbors_.positions();
+  const Index* row = neighbors_.row(point);
+  const int count = std::min(kPlanePoints, neighbors_.k());
   Vec3 mean = Vec3::Zero();
   for (int i = 1; i < count; ++i) mean += x[row[i]] - x[point];
   mean /= count;
@@ -47,99 +43,83 @@ Plane planeAt(const SparseNeighbors& neighbors, Index point) {
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(scatter);
-  const double spacing = neighbors.spacing(point);
+  const double spacing = neighbors_.spacing(point);
   return {solver.eigenvectors().col(0), x[point] + mean,
           std::max(solver.eigenvalues()[0], 0.0) / (count * spacing * spacing)};
 }
 
-class NormalBuilder {
- public:
-  NormalBuilder(const SparseNeighbors& neighbors, const std::vector<Plane>& planes)
-      : neighbors_(neighbors), x_(neighbors.positions()), planes_(planes) {}
+bool RobustNormals::isFlat(Index point) const {
+  return plane(point).spread <= kFlat;
+}
 
-  bool isFlat(Index point) const { return plane(point).spread <= kFlat; }
-
-  /// The normal of the plane, among those of the point and its neighbours, that fits it best.
-  Vec3 shifted(Index point) const {
-    if (isFlat(point)) return plane(point).normal;
-    const double unit = 1 / neighbors_.spacing(point);
-    const Index* row = neighbors_.row(point);
-    Index best = point;
-    double least = std::numeric_limits<double>::max();
-    for (int i = 0; i < std::min(kShifts + 1, neighbors_.k()); ++i) {
-      const Plane& other = plane(row[i]);
-      const double miss = unit * other.normal.dot(x_[point] - other.centroid);
-      const double far = unit * unit * (x_[row[i]] - x_[point]).squaredNorm();
-      const double cost = (other.spread + kFlat + kMissWeight * miss * miss) * (1 + kFarWeight * far);
-      if (cost < least) {
-        least = cost;
-        best = row[i];
-      }
+void RobustNormals::addPlanes(const Context& context) {
+  const std::size_t before = planes_.size();
+  planes_.resize(static_cast<std::size_t>(neighbors_.count()));
+  parallelBlocks(context, planes_.size() - before, 512, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = before + first; s < before + last; ++s) {
+      planes_[s] = planeAt(neighbors_.point(static_cast<Index>(s)));
     }
-    return plane(best).normal;
-  }
+  });
+}
 
-  /// The mean of the normals around that agree with the point's own and whose planes pass near it.
-  template <typename NormalAt>
-  Vec3 averaged(Index point, const NormalAt& normalAt) const {
-    const Vec3 own = normalAt(point);
-    const double unit = 1 / neighbors_.spacing(point);
-    const Index* row = neighbors_.row(point);
-    Vec3 sum = own;
-    for (int i = 1; i < std::min(kAveraged + 1, neighbors_.k()); ++i) {
-      const Vec3 other = normalAt(row[i]);
-      const double cosine = other.dot(own);
-      if (std::abs(cosine) <= kSimilar) continue;
-      const double miss = unit * other.dot(x_[point] - x_[row[i]]);
-      sum += std::copysign(std::exp(-kBilateralDecay * miss * miss), cosine) * other;
+// The normal of the plane, among those of the point and its neighbours, that fits it best.
+Vec3 RobustNormals::shifted(Index point) const {
+  const std::vector<Vec3>& x = neighbors_.positions();
+  const double unit = 1 / neighbors_.spacing(point);
+  const Index* row = neighbors_.row(point);
+  Index best = point;
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i < std::min(kShifts + 1, neighbors_.k()); ++i) {
+    const Plane& other = plane(row[i]);
+    const double miss = unit * other.normal.dot(x[point] - other.centroid);
+    const double far = unit * unit * (x[row[i]] - x[point]).squaredNorm();
+    const double cost = (other.spread + kFlat + kMissWeight * miss * miss) * (1 + kFarWeight * far);
+    if (cost < least) {
+      least = cost;
+      best = row[i];
     }
-    return sum.normalized();
   }
+  return plane(best).normal;
+}
 
-  Vec3 planeNormal(Index point) const { return plane(point).normal; }
+// The mean of the normals around that agree with the point's own and whose planes pass near it.
+Vec3 RobustNormals::averaged(Index point) const {
+  const std::vector<Vec3>& x = neighbors_.positions();
+  const Vec3& own = normal_[point];
+  const double unit = 1 / neighbors_.spacing(point);
+  const Index* row = neighbors_.row(point);
+  Vec3 sum = own;
+  for (int i = 1; i < std::min(kAveraged + 1, neighbors_.k()); ++i) {
+    const Vec3& other = knows(row[i]) ? normal_[row[i]] : plane(row[i]).normal;
+    const double cosine = other.dot(own);
+    if (std::abs(cosine) <= kSimilar) continue;
+    const double miss = unit * other.dot(x[point] - x[row[i]]);
+    sum += std::copysign(std::exp(-kBilateralDecay * miss * miss), cosine) * other;
+  }
+  return sum.normalized();
+}
 
- private:
-  const Plane& plane(Index point) const { return planes_[neighbors_.slot(point)]; }
-
-  const SparseNeighbors& neighbors_;
-  const std::vector<Vec3>& x_;
-  const std::vector<Plane>& planes_;
-};
-
-}  // namespace
-
-void addRobustNormals(const std::vector<Index>& wanted, SparseNeighbors& neighbors, const Context& context,
-                      RobustNormals& normals) {
-  std::vector<Index> missing;
+void RobustNormals::add(const std::vector<Index>& wanted, const Context& context) {
+  neighbors_.add(wanted, context);
+  std::vector<Index> missing, bent;
   for (const Index p : wanted) {
-    if (!normals.knows(p)) missing.push_back(p);
+    if (!knows(p)) missing.push_back(p);
   }
-  if (normals.normal.empty()) normals.normal.assign(neighbors.positions().size(), Vec3::Zero());
-  neighbors.add(missing, context);
-  neighbors.add(neighbors.grown(missing, kShifts + 1), context);
-
-  std::vector<Plane> planes(static_cast<std::size_t>(neighbors.count()));
-  parallelBlocks(context, planes.size(), 512, [&](std::size_t first, std::size_t last) {
-    for (std::size_t s = first; s < last; ++s) {
-      planes[s] = planeAt(neighbors, neighbors.point(static_cast<Index>(s)));
-    }
-  });
-  const NormalBuilder builder(neighbors, planes);
-  std::vector<Vec3> shifted(missing.size());
-  parallelBlocks(context, missing.size(), 512, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) shifted[i] = builder.shifted(missing[i]);
-  });
-  for (std::size_t i = 0; i < missing.size(); ++i) normals.normal[missing[i]] = shifted[i];
-  const auto normalAt = [&](Index p) {
-    return normals.knows(p) ? normals.normal[p] : builder.planeNormal(p);
+  neighbors_.add(neighbors_.grown(missing, kShifts + 1), context);
+  addPlanes(context);
+  for (const Index p : missing) {
+    normal_[p] = plane(p).normal;
+    if (!isFlat(p)) bent.push_back(p);
+  }
+  std::vector<Vec3> better(bent.size());
+  const auto improve = [&](Vec3 (RobustNormals::*normalOf)(Index) const) {
+    parallelBlocks(context, bent.size(), 512, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) better[i] = (this->*normalOf)(bent[i]);
+    });
+    for (std::size_t i = 0; i < bent.size(); ++i) normal_[bent[i]] = better[i];
   };
-  parallelBlocks(context, missing.size(), 512, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      shifted[i] = builder.isFlat(missing[i]) ? builder.planeNormal(missing[i])
-                                              : builder.averaged(missing[i], normalAt);
-    }
-  });
-  for (std::size_t i = 0; i < missing.size(); ++i) normals.normal[missing[i]] = shifted[i];
+  improve(&RobustNormals::shifted);
+  improve(&RobustNormals::averaged);
 }
 
 }  // namespace mlsmesh::core

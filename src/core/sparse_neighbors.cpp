@@ -47,11 +47,16 @@ void SparseNeighbors::add(const std::vector<Index>& points, const Context& conte
 }
 
 std::vector<Index> SparseNeighbors::grown(const std::vector<Index>& points, int count) const {
+  std::vector<char> seen(points_.size(), 0);
   std::vector<Index> all;
-  all.reserve(points.size() * static_cast<std::size_t>(std::min(count, k_)));
-  for (const Index p : points) all.insert(all.end(), row(p), row(p) + std::min(count, k_));
+  for (const Index p : points) {
+    const Index* first = row(p);
+    for (const Index* q = first; q < first + std::min(count, k_); ++q) {
+      if (!seen[*q]) all.push_back(*q);
+      seen[*q] = 1;
+    }
+  }
   std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
