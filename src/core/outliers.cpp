@@ -118,7 +118,7 @@ std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface
                                const Representatives& representatives, const IndexLists& clusters,
                                const Context& context) {
   constexpr double kSuspect = 0.5;  // local spacings off the representative's plane
-  constexpr double kStray = 1.25;    // local spacings off the surface of the neighbours
+  constexpr double kStray = 1.25;   // local spacings off the surface of the neighbours
   std::vector<char> stray(points.size(), 0);
   parallelBlocks(
       context, static_cast<std::size_t>(clusters.count()), 512, [&](std::size_t first, std::size_t last) {
