@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// This work is based on:
-// Jonathan Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates. 1997
-// (exact sums).
 #include "mlsmesh/mesh_report.h"
 
 #include <algorithm>
@@ -11,7 +8,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/exact_predicates.h"
 #include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/self_intersections.h"
 
 namespace mlsmesh {
 
@@ -45,70 +44,6 @@ class Sets {
  private:
   std::vector<Index> parent_;
 };
-
-/// A sum of doubles without rounding: components that do not overlap, the largest last.
-class ExactSum {
- public:
-  void addProduct(double a, double b) {
-    const double product = a * b;
-    add(std::fma(a, b, -product));
-    add(product);
-  }
-  bool isZero() const {
-    return std::all_of(parts_.begin(), parts_.begin() + size_, [](double part) { return part == 0; });
-  }
-
- private:
-  void add(double value) {
-    for (int i = 0; i < size_; ++i) {
-      const double sum = value + parts_[i];
-      const double rounded = sum - value;
-      parts_[i] = (value - (sum - rounded)) + (parts_[i] - rounded);
-      value = sum;
-    }
-    parts_[size_++] = value;
-  }
-
-  std::array<double, 12> parts_{};
-  int size_ = 0;
-};
-
-/// True if rounding and underflow cannot make the triangle's projection along `axis` look wider than a line.
-bool isSurelyWide(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  constexpr double underflow = std::numeric_limits<double>::min() / epsilon;
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const double left = (a[u] - c[u]) * (b[v] - c[v]), right = (a[v] - c[v]) * (b[u] - c[u]);
-  return std::abs(left - right) > 4 * epsilon * (std::abs(left) + std::abs(right)) + underflow;
-}
-
-bool isExactlyFlat(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  ExactSum area;
-  area.addProduct(a[u], b[v]);
-  area.addProduct(-a[v], b[u]);
-  area.addProduct(b[u], c[v]);
-  area.addProduct(-b[v], c[u]);
-  area.addProduct(c[u], a[v]);
-  area.addProduct(-c[v], a[u]);
-  return area.isZero();
-}
-
-/// Corners that are not finite count as collinear.
-bool isCollinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
-  for (int axis = 0; axis < 3; ++axis)
-    if (isSurelyWide(a, b, c, axis)) return false;
-  const double largest =
-      std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-  if (largest == 0) return true;
-  const int exponent = -std::ilogb(largest);
-  const auto scaled = [&](const Vec3& p) -> Vec3 {
-    return p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
-  };
-  const Vec3 p = scaled(a), q = scaled(b), r = scaled(c);
-  return isExactlyFlat(p, q, r, 0) && isExactlyFlat(p, q, r, 1) && isExactlyFlat(p, q, r, 2);
-}
 
 bool hasValidCorners(const Triangle& face, Index vertices) {
   const auto [low, high] = std::minmax_element(face.begin(), face.end());
@@ -267,7 +202,7 @@ std::vector<Triangle> topologicalFaces(const std::vector<Vec3>& vertices,
   for (const Triangle& face : triangles) {
     const bool valid = hasValidCorners(face, report.vertices);
     if (valid) faces.push_back(face);
-    if (!valid || isCollinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]))
+    if (!valid || core::areCollinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]))
       ++report.degenerate_faces;
   }
   return faces;
@@ -292,6 +227,16 @@ MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Trian
   report.euler = report.vertices - report.isolated_vertices - soup.edgeCount() + soup.faceCount();
   if (report.components > 0 && report.isManifold() && report.orientation_conflicts == 0)
     report.genus = (2 * report.components - report.euler - report.border_loops) / 2;
+  return report;
+}
+
+MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                      const core::Context& context) {
+  MeshReport report = reportMesh(vertices, triangles);
+  std::vector<Triangle> faces;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(faces),
+               [&](const Triangle& face) { return hasValidCorners(face, report.vertices); });
+  report.self_intersections = core::SelfIntersections(vertices, faces, context).count();
   return report;
 }
 

@@ -222,7 +222,7 @@ void addRefinement(std::vector<Parameter>& table) {
   rows.add("border_displacement", &Step::border_displacement, kNotNegative,
            "the same on border edges, along the surface normal");
   rows.add("fold_guard", &Step::fold_guard,
-           "pull a new vertex back where a triangle turns against its parent");
+           "pull a new vertex back where a triangle turns against its parent or meets another");
   rows.add("fold_angle", &Step::fold_angle, Limits{0, 180, false}, "degrees that a triangle may turn");
   rows.add("flips", &Step::flips, {"min_angle", "length", "no_flips"},
            "flip a diagonal when the smallest angle grows, when the other diagonal is shorter, or never");

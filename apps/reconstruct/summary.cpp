@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 7> kKindNames = {"projected",    "lower_degree", "input_point", "clamped",
-                                                   "fold_guarded", "border",       "crease"};
+constexpr std::array<const char*, 6> kKindNames = {"projected", "lower_degree", "input_point",
+                                                   "clamped",   "fold_guarded", "border"};
 
 Json parameterJson(const MultiresolutionParameters& parameters) {
   Json json;
@@ -70,6 +70,7 @@ Json levelJson(const RunReport& report, core::Index level) {
   json["degenerate_faces"] = mesh.degenerate_faces;
   json["duplicate_faces"] = mesh.duplicate_faces;
   json["isolated_vertices"] = mesh.isolated_vertices;
+  json["self_intersections"] = mesh.self_intersections ? Json(*mesh.self_intersections) : Json();
   json["vertex_kinds"] = kindJson(report.result.mesh, level);
   return json;
 }
@@ -119,8 +120,9 @@ std::string formatted(const char* format, ...) {
 std::string levelRow(const RunReport& report, core::Index level) {
   const MeshReport& mesh = report.result.reports[level];
   const std::string genus = mesh.genus ? std::to_string(*mesh.genus) : "-";
-  std::string row = formatted("%5d %10d %10d %11d %13d %6s", level, mesh.vertices, mesh.triangles,
-                              mesh.components, mesh.border_loops, genus.c_str());
+  const std::string crossings = mesh.self_intersections ? std::to_string(*mesh.self_intersections) : "-";
+  std::string row = formatted("%5d %10d %10d %11d %13d %6s %18s", level, mesh.vertices, mesh.triangles,
+                              mesh.components, mesh.border_loops, genus.c_str(), crossings.c_str());
   if (!report.level_files[level].empty()) row += "  " + report.level_files[level];
   return row + "\n";
 }
@@ -173,8 +175,8 @@ std::string summaryText(const Options& options, const RunReport& report) {
     text += formatted("%-16s %9.3f\n", stage.name.c_str(), stage.seconds);
   }
   text += formatted("%-16s %9.3f\n\n", "total", totalSeconds(report.stages));
-  text += formatted("%5s %10s %10s %11s %13s %6s  %s\n", "level", "vertices", "triangles", "components",
-                    "border loops", "genus", "file");
+  text += formatted("%5s %10s %10s %11s %13s %6s %18s  %s\n", "level", "vertices", "triangles", "components",
+                    "border loops", "genus", "self-intersections", "file");
   for (core::Index level = 0; level < report.result.mesh.levelCount(); ++level)
     text += levelRow(report, level);
   text += formatted("\npeak memory %.0f MB\n", static_cast<double>(peakMemoryBytes()) / (1024 * 1024));

@@ -156,7 +156,8 @@ struct RefinementParameters {
   double min_edge_ratio = 0.1;    ///< shortest / longest edge below which a triangle is not divided, 0 .. 1
   double max_displacement = 0.5;  ///< of a new vertex from the midpoint, in edge lengths, > 0
   double border_displacement = 0.25;  ///< the same on border edges (along the surface normal only), >= 0
-  bool fold_guard = true;             ///< pull a new vertex back where a child turns against its parent
+  /// pull a new vertex back where a child turns against its parent, or meets a triangle that it should not
+  bool fold_guard = true;
   double fold_angle = 60.0;           ///< degrees that a child may turn, 0 .. 180
   FlipRule flips = FlipRule::MinAngle;
   bool flip_guard = true;  ///< flips must keep convexity, normals and bend; false: topology alone, as printed

@@ -17,21 +17,12 @@ namespace {
 constexpr int kRounds = 10;
 constexpr double kMayTurn = 0.5;         // cosine of 60 degrees
 constexpr double kHarmlessBend = 0.966;  // cosine of 15 degrees
-constexpr double kDegenerate = 1e-9;
-constexpr double kGain = 1e-9;  // an angle's cosine must fall by more, so that rounds end
+constexpr double kGain = 1e-9;           // an angle's cosine must fall by more, so that rounds end
 
 // The quad around an edge u -> v: w is the apex of its triangle, x that of its twin's.
 struct Quad {
   Vec3 u, v, w, x;
 };
-
-double squaredLongest(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
-}
-
-bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return !((b - a).cross(c - a).norm() > kDegenerate * squaredLongest(a, b, c));
-}
 
 double cosineAt(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return (a - apex).dot(b - apex) / std::sqrt((a - apex).squaredNorm() * (b - apex).squaredNorm());
@@ -110,7 +101,7 @@ bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index 
 }  // namespace
 
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
-                const std::vector<VertexKind>* kinds) {
+                const std::vector<VertexKind>* kinds, std::vector<FlippedPair>* flips) {
   if (rule == FlipRule::NoFlips) return 0;
   Index total = 0;
   for (int round = 0; round < kRounds; ++round) {
@@ -121,7 +112,9 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
       const Quad q{position[mesh.origin(h)], position[mesh.target(h)], position[mesh.opposite(h)],
                    position[mesh.opposite(g)]};
       if (kinds && touchesCrease(mesh, *kinds, h) && !staysFlat(q)) continue;
-      if (isBetter(q, rule) && mayFlip(mesh, position, h, q, guard)) flipped += mesh.flip(h) ? 1 : 0;
+      if (!isBetter(q, rule) || !mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
+      ++flipped;
+      if (flips) flips->push_back({HalfEdgeMesh::triangleOf(h), HalfEdgeMesh::triangleOf(g)});
     }
     total += flipped;
     if (flipped == 0) break;

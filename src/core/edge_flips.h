@@ -7,13 +7,16 @@
 
 namespace mlsmesh::core {
 
-/// Flips edges by the rule until none qualifies or ten rounds have passed; returns how many. Never makes a
-/// duplicate edge, a degenerate face or an interior vertex of fewer than three triangles. With `guard` also:
-/// the two triangles form a convex quad seen along their mean normal, neither new triangle turns more than 60
-/// degrees from it, and the edge and the four around it are not bent worse than before (or 15 degrees). If
-/// kinds are given, a quad with a crease vertex is flipped only where its triangles are bent by less than 15
-/// degrees before and after.
+/// The triangles that a flip turned an edge between; they keep their numbers.
+using FlippedPair = std::array<Index, 2>;
+
+/// Flips edges by the rule until none qualifies or ten rounds have passed; returns how many, and appends them
+/// to `flips`, if not null, in order. Never makes a duplicate edge, a degenerate face or an interior vertex
+/// of fewer than three triangles. With `guard` also: the two triangles form a convex quad seen along their
+/// mean normal, neither new triangle turns more than 60 degrees from it, and the edge and the four around it
+/// are not bent worse than before (or 15 degrees). If kinds are given, a quad with a crease vertex is flipped
+/// only where its triangles are bent by less than 15 degrees before and after.
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
-                const std::vector<VertexKind>* kinds = nullptr);
+                const std::vector<VertexKind>* kinds = nullptr, std::vector<FlippedPair>* flips = nullptr);
 
 }  // namespace mlsmesh::core

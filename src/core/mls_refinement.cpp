@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "crease_edges.h"
 #include "edge_flips.h"
 #include "edge_split.h"
+#include "intersection_guard.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/parallel.h"
+#include "mlsmesh/core/self_intersections.h"
 #include "overlap_tests.h"
 
 namespace mlsmesh::core {
@@ -175,6 +178,22 @@ void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edge
   }
 }
 
+// Appends the vertices of the marked edges; the level has yet to be flipped.
+NewLevel newLevel(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
+                  std::vector<Triangle> triangles, RefinedMesh& refined) {
+  NewLevel level;
+  level.first_vertex = static_cast<Index>(refined.position.size());
+  appendVertices(mesh, edges, refined);
+  for (const SplitEdge& edge : edges) {
+    if (edge.marked) level.midpoint.push_back(edge.midpoint);
+  }
+  std::string why;
+  if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, level.flipped, &why))
+    throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
+  level.unflipped = std::move(triangles);
+  return level;
+}
+
 }  // namespace
 
 std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3>& position) {
@@ -208,15 +227,17 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   } else {
     triangles = splitOneByOne(mesh, refined.position, parameters.min_edge_ratio, fold_angle, points, edges);
   }
-  appendVertices(mesh, edges, refined);
-  HalfEdgeMesh finer;
-  std::string why;
-  if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, finer, &why)) {
-    throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
-  }
-  flipEdges(finer, refined.position, parameters.flips, parameters.flip_guard, &refined.kind);
-  refined.level_triangles.push_back(finer.triangles());
-  refined.level_vertices.push_back(finer.vertexCount());
+  NewLevel level = newLevel(mesh, edges, std::move(triangles), refined);
+  flipEdges(level.flipped, refined.position, parameters.flips, parameters.flip_guard, &refined.kind,
+            &level.flips);
+  std::vector<Triangle> finer = level.flipped.triangles();
+  const std::int64_t pairs =
+      parameters.fold_guard ? guardIntersections(points, level, context, refined, finer)
+                            : SelfIntersections(refined.position, finer, context, &level.flipped).count();
+  refined.level_intersections.resize(refined.level_triangles.size());
+  refined.level_intersections.emplace_back(pairs);
+  refined.level_triangles.push_back(std::move(finer));
+  refined.level_vertices.push_back(static_cast<Index>(refined.position.size()));
 }
 
 void refineMesh(const PointSet& points, const MlsSurface& surface, double spacing,

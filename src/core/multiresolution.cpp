@@ -112,6 +112,7 @@ void makeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
     mesh.normal[v] = fitted.dot(mesh.normal[v]) < 0 ? Vec3(-fitted) : fitted;
   }
   mesh.level_triangles.push_back(std::move(triangles));
+  mesh.level_intersections.emplace_back();
   mesh.level_vertices.push_back(static_cast<Index>(mesh.position.size()));
 }
 
@@ -141,9 +142,13 @@ void turnToSides(Reconstruction& result) {
   if (flipToSides(level, mesh.position, vertexSides(result)) > 0) mesh.level_triangles[0] = level.triangles();
 }
 
-MeshReport reportLevel(const RefinedMesh& mesh, Index level) {
+MeshReport reportLevel(const RefinedMesh& mesh, Index level, const Context& context) {
   const std::vector<Vec3> vertices(mesh.position.begin(), mesh.position.begin() + mesh.level_vertices[level]);
-  return reportMesh(vertices, mesh.level_triangles[level]);
+  const std::optional<std::int64_t>& known = mesh.level_intersections[level];
+  if (!known) return reportMesh(vertices, mesh.level_triangles[level], context);
+  MeshReport report = reportMesh(vertices, mesh.level_triangles[level]);
+  report.self_intersections = known;
+  return report;
 }
 
 // The cloud as the steps see it: its points, denoised and without outliers where that was needed, the search
@@ -299,7 +304,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   }
   stages.run("report", 1.0, [&] {
     for (Index level = 0; level < result.mesh.levelCount(); ++level) {
-      result.reports.push_back(reportLevel(result.mesh, level));
+      result.reports.push_back(reportLevel(result.mesh, level, context));
     }
   });
   result.points = std::move(cloud->points);

@@ -88,6 +88,12 @@ bool segmentsCross(const Plane& plane, double height, const Vec3& p, const Vec3&
 
 }  // namespace
 
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double kLeastShape = 1e-9;
+  const double longest = std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
+  return !((b - a).cross(c - a).norm() > kLeastShape * longest);
+}
+
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = (b - a).cross(c - a);
   const double length = n.norm();

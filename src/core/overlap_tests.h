@@ -27,6 +27,9 @@ bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, co
 bool crossesBorderAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
                      Index point);
 
+/// Whether twice the triangle's area is at most 1e-9 of its squared longest edge.
+bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Unit normal of three points; zero where they are collinear.
 Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c);
 

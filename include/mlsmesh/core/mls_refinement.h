@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "mlsmesh/core/features.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 #include "mlsmesh/core/mls_surface.h"
@@ -18,6 +20,9 @@ struct RefinedMesh {
       parents;  ///< ends of the edge a vertex was made on; {v, v} for those of level 0
   std::vector<Index> level_vertices;
   std::vector<std::vector<Triangle>> level_triangles;
+  /// Pairs of triangles of a level that meet where they should not (self_intersections.h), where counted: at
+  /// every level that addLevel made.
+  std::vector<std::optional<std::int64_t>> level_intersections;
 
   Index levelCount() const { return static_cast<Index>(level_vertices.size()); }
 };
