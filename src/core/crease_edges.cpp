@@ -60,8 +60,8 @@ bool CreaseEdges::onCrease(Index half_edge, Projection& projection) const {
   const int last = std::min(count, kSpacingPoints);
   projection.spacing = std::sqrt(squared_distance[static_cast<std::size_t>(last - 1)] / (last / kPi));
   const CreaseFoot foot =
-      footBetween(middle, normalOf(half_edge), normalOf(mesh_.twin(half_edge)), projection.spacing,
-                  nearest.data(), count, surface_.points(), features_.normal);
+      footBetween(middle, {normalOf(half_edge), normalOf(mesh_.twin(half_edge)), Vec3::Zero()}, 2,
+                  projection.spacing, nearest.data(), count, surface_.points(), features_.normal);
   if (foot.sides == 0) return false;
   const Vec3 along = (v - u).normalized();
   Vec3 step = foot.position - middle;

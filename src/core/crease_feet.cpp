@@ -25,6 +25,8 @@ constexpr int kLeastSide = 3;          // points of a side
 constexpr int kSteps = 3;              // onto the tangent planes of the sides
 constexpr double kSupport = 2.0;       // of a side's fit, local spacings
 constexpr double kReach = 2.0;         // from the point to its foot, local spacings
+constexpr double kNearEdge = 1.75;     // local spacings from a foot to the nearest point of each of its sides
+constexpr double kNearCorner = 2.5;    // the same where three sides meet, each in a quarter of the plane
 constexpr double kRoughest = 0.2;      // residual of a side from its plane, local spacings
 constexpr double kWorst = 0.5;         // quality of a foot
 constexpr double kSharp = 0.2;         // quality of a foot that is clearly on a sharp edge
@@ -35,6 +37,8 @@ constexpr double kSharpShare = 0.4;
 constexpr double kLink = 2.0;      // local spacings between linked feet
 constexpr double kSameSide = 0.8;  // cosine of a point's normal with that of the side it belongs to
 constexpr int kLargestSide = 14;
+constexpr int kSettlings = 2;
+constexpr double kOffSide = 0.25;  // local spacings from the side of a point that belongs to none
 
 struct Side {
   std::array<Index, 40> members;
@@ -100,6 +104,39 @@ Sides sidesOf(const Index* row, int count, double cosine, const RobustNormals& n
   return sides;
 }
 
+double distanceTo(const SurfacePatch& patch, const Vec3& x) {
+  const TangentPlane plane = patch.tangentAt(x);
+  return std::abs((x - plane.point).dot(plane.normal));
+}
+
+// Fits the sides again from the points nearest to each: a few normals are those of the wrong side.
+void settle(const std::vector<Vec3>& points, const Vec3& start, double spacing, Sides& sides,
+            std::vector<SurfacePatch>& patches) {
+  for (int round = 0; round < kSettlings; ++round) {
+    Sides settled(sides.size());
+    for (const Side& side : sides) {
+      for (int i = 0; i < side.count; ++i) {
+        const Index p = side.members[static_cast<std::size_t>(i)];
+        std::size_t best = 0;
+        double least = std::numeric_limits<double>::max();
+        for (std::size_t s = 0; s < patches.size(); ++s) {
+          const double distance = distanceTo(patches[s], points[p]);
+          if (distance >= least) continue;
+          least = distance;
+          best = s;
+        }
+        if (least <= kOffSide * spacing) settled[best].add(p);
+      }
+    }
+    if (std::any_of(settled.begin(), settled.end(), [](const Side& s) { return s.count < kLeastSide; }))
+      return;
+    sides = settled;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      patches[s] = SurfacePatch(points, sides[s].members.data(), sides[s].count, start, kSupport * spacing);
+    }
+  }
+}
+
 bool meetTwo(const SurfacePatch& a, const SurfacePatch& b, Vec3& x) {
   for (int step = 0; step < kSteps; ++step) {
     const TangentPlane p = a.tangentAt(x), q = b.tangentAt(x);
@@ -148,6 +185,17 @@ void describe(const std::vector<const SurfacePatch*>& sides, CreaseFoot& foot) {
   foot.bisector = sum.norm() > 1e-6 ? Vec3(sum.normalized()) : foot.side_normal[0];
 }
 
+// Whether each side that meets at the foot has points near it: planes also meet where there is no surface.
+bool isSupported(const CreaseFoot& foot, const Sides& sides, const std::vector<Vec3>& points) {
+  const double reach = (foot.sides == 3 ? kNearCorner : kNearEdge) * foot.spacing;
+  int near = 0;
+  for (const Side& side : sides) {
+    near += std::any_of(side.members.begin(), side.members.begin() + side.count,
+                        [&](Index p) { return (points[p] - foot.position).norm() <= reach; });
+  }
+  return near >= foot.sides;
+}
+
 double qualityOf(const Sides& sides, const std::vector<SurfacePatch>& patches, double residual) {
   double sum = 0;
   int count = 0;
@@ -189,7 +237,7 @@ CreaseFoot creaseFootOf(Index point, double residual, double cosine, const Spars
   CreaseFoot foot;
   const Index* row = neighbors.row(point);
   if (!hasTurnedNeighbor(row, cosine, normals)) return foot;
-  const Sides sides = sidesOf(row, kGrouped, cosine, normals);
+  Sides sides = sidesOf(row, kGrouped, cosine, normals);
   if (sides.size() < 2) return foot;
   const std::vector<Vec3>& points = neighbors.positions();
   const Vec3& start = points[point];
@@ -201,35 +249,49 @@ CreaseFoot creaseFootOf(Index point, double residual, double cosine, const Spars
   }
   foot.quality = qualityOf(sides, patches, residual);
   if (!(foot.quality <= kWorst)) return foot;
+  settle(points, start, foot.spacing, sides, patches);
   Vec3 corner = start;
   const double reach = kReach * foot.spacing;
   if (patches.size() == 3 && meetThree(patches, corner) && (corner - start).norm() <= reach) {
     foot.position = corner;
     describe({&patches[0], &patches[1], &patches[2]}, foot);
-    return foot;
+    if (isSupported(foot, sides, points)) return foot;
+    foot.sides = 0;
   }
   nearestPair(patches, start, foot);
-  if (foot.sides > 0 && (foot.position - start).norm() > reach) foot.sides = 0;
+  if (foot.sides > 0 && ((foot.position - start).norm() > reach || !isSupported(foot, sides, points))) {
+    foot.sides = 0;
+  }
   return foot;
 }
 
-CreaseFoot footBetween(const Vec3& start, const Vec3& first, const Vec3& second, double spacing,
-                       const Index* nearest, int count, const std::vector<Vec3>& points,
+CreaseFoot footBetween(const Vec3& start, const std::array<Vec3, 3>& side_normals, int count, double spacing,
+                       const Index* nearest, int found, const std::vector<Vec3>& points,
                        const std::vector<Vec3>& normals) {
-  Side a, b;
-  for (int i = 0; i < count; ++i) {
-    const double like_a = std::abs(normals[nearest[i]].dot(first));
-    const double like_b = std::abs(normals[nearest[i]].dot(second));
-    Side& side = like_a > like_b ? a : b;
-    if (std::max(like_a, like_b) > kSameSide && side.count < kLargestSide) side.add(nearest[i]);
+  const std::vector<Vec3> wanted(side_normals.begin(), side_normals.begin() + count);
+  Sides sides(wanted.size());
+  for (int i = 0; i < found; ++i) {
+    const Vec3& normal = normals[nearest[i]];
+    const std::size_t s = mostLike(wanted, normal);
+    if (std::abs(normal.dot(wanted[s])) > kSameSide && sides[s].count < kLargestSide)
+      sides[s].add(nearest[i]);
   }
   CreaseFoot foot;
   foot.spacing = spacing;
-  if (a.count < kLeastSide || b.count < kLeastSide) return foot;
-  const SurfacePatch left(points, a.members.data(), a.count, start, kSupport * spacing);
-  const SurfacePatch right(points, b.members.data(), b.count, start, kSupport * spacing);
+  if (std::any_of(sides.begin(), sides.end(), [](const Side& s) { return s.count < kLeastSide; }))
+    return foot;
+  std::vector<SurfacePatch> patches;
+  for (const Side& side : sides) {
+    patches.emplace_back(points, side.members.data(), side.count, start, kSupport * spacing);
+  }
+  settle(points, start, spacing, sides, patches);
   foot.position = start;
-  if (meetTwo(left, right, foot.position)) describe({&left, &right}, foot);
+  const bool meet =
+      count == 3 ? meetThree(patches, foot.position) : meetTwo(patches[0], patches[1], foot.position);
+  if (!meet) return foot;
+  std::vector<const SurfacePatch*> meeting;
+  for (const SurfacePatch& patch : patches) meeting.push_back(&patch);
+  describe(meeting, foot);
   return foot;
 }
 

@@ -21,11 +21,11 @@ struct CreaseFoot {
 CreaseFoot creaseFootOf(Index point, double residual, double cosine, const SparseNeighbors& neighbors,
                         const RobustNormals& normals);
 
-/// The nearest place to `start` on the intersection of the two surfaces around it whose normals are like
-/// `first` and `second`, of at most `count` of the points nearest to it (ascending in distance). No sides if
-/// there are too few points of either, or if they are nearly parallel.
-CreaseFoot footBetween(const Vec3& start, const Vec3& first, const Vec3& second, double spacing,
-                       const Index* nearest, int count, const std::vector<Vec3>& points,
+/// The nearest place to `start` where the sides of the surface meet whose normals are like the first `count`
+/// (2 or 3) of `sides`: fitted to those of the points `nearest` to it (`found`, ascending in distance). No
+/// sides if there are too few points of one, or if two are nearly parallel.
+CreaseFoot footBetween(const Vec3& start, const std::array<Vec3, 3>& sides, int count, double spacing,
+                       const Index* nearest, int found, const std::vector<Vec3>& points,
                        const std::vector<Vec3>& normals);
 
 /// Whether each foot belongs to a sharp edge, and not to a bend that looks like one here and there: feet are

@@ -127,6 +127,13 @@ class Marcher {
   std::vector<double> squared_;
 };
 
+// The part of a step that is square to the edge, so that vertices keep their distance; all of it at a corner.
+Vec3 acrossEdge(const CreaseFoot& foot, const Vec3& step) {
+  if (foot.sides != 2) return step;
+  const Vec3 along = foot.side_normal[0].cross(foot.side_normal[1]).normalized();
+  return step - step.dot(along) * along;
+}
+
 // Feet are found from points up to two spacings away; the surfaces are fitted better around the foot itself.
 void fitAgain(const std::vector<Vec3>& cloud, const NeighborSearch& search, const RobustNormals& normals,
               const Context& context, std::vector<CreaseVertex>& vertices) {
@@ -135,13 +142,14 @@ void fitAgain(const std::vector<Vec3>& cloud, const NeighborSearch& search, cons
     std::array<double, kRefitPoints> squared_distance;
     for (std::size_t i = first; i < last; ++i) {
       CreaseVertex& vertex = vertices[i];
-      if (vertex.sides != 2) continue;
       const int count =
           search.nearest(vertex.position, kRefitPoints, nearest.data(), squared_distance.data());
-      const CreaseFoot foot = footBetween(vertex.position, vertex.side_normal[0], vertex.side_normal[1],
-                                          vertex.spacing, nearest.data(), count, cloud, normals.all());
-      if (foot.sides == 0 || (foot.position - vertex.position).norm() > kMayMove * vertex.spacing) continue;
-      vertex.position = foot.position;
+      const CreaseFoot foot = footBetween(vertex.position, vertex.side_normal, vertex.sides, vertex.spacing,
+                                          nearest.data(), count, cloud, normals.all());
+      if (foot.sides == 0) continue;
+      const Vec3 step = acrossEdge(foot, foot.position - vertex.position);
+      if (!(step.norm() <= kMayMove * vertex.spacing)) continue;
+      vertex.position += step;
       vertex.normal = foot.bisector;
       vertex.side_normal = foot.side_normal;
     }
