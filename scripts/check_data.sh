@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # check_data.sh [--all]: meshes real clouds from ${MLSMESH_DATA_DIR:-../shared/data} and checks every level: sound, and of
-# the topology that data_topology.txt names. --all: also soundness for every other cloud that is there.
+# the topology that data_topology.txt names. --all: also soundness for every other cloud that is there. The program is that of
+# build/release, or of the preset that MLSMESH_PRESET names.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -10,7 +11,7 @@ if [ ! -d "$data" ]; then
   echo "WARNING: check_data: no folder $data, real data are not checked; name it in MLSMESH_DATA_DIR"
   exit 0
 fi
-program=$root/build/release/bin/mlsmesh_reconstruct
+program=$root/build/${MLSMESH_PRESET:-release}/bin/mlsmesh_reconstruct
 [ -x "$program" ] || { echo "check_data: $program: not built; run scripts/setup.sh" >&2; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
