@@ -50,6 +50,7 @@ MultiresolutionParameters printedPreset() {
   printed.triangulation.overlap_test = OverlapTest::ApexStar;
   printed.triangulation.fill_small_loops = false;
   printed.triangulation.support_reach = 0;
+  printed.triangulation.heal = false;
 
   printed.refinement.split_mode = SplitMode::Sequential;
   printed.refinement.fold_guard = false;

@@ -199,6 +199,10 @@ void addTriangulation(std::vector<Parameter>& table) {
   rows.add("support_reach", &Step::support_reach, kNotNegative,
            "over representatives, a triangle needs points of the cloud within so many local spacings; 0 = no "
            "test");
+  rows.add("fill_reach", &Step::fill_reach, kNotNegative,
+           "the same for the triangles that fill a loop, if they lie along the surface");
+  rows.add("heal", &Step::heal,
+           "mend triangles that meet, cut false handles, fill loops where the cloud supports it");
 }
 
 void addRefinement(std::vector<Parameter>& table) {

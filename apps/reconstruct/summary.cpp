@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 6> kKindNames = {"projected", "lower_degree", "input_point",
-                                                   "clamped",   "fold_guarded", "border"};
+constexpr std::array<const char*, 7> kKindNames = {"projected",    "lower_degree", "input_point", "clamped",
+                                                   "fold_guarded", "border",       "crease"};
 
 Json parameterJson(const MultiresolutionParameters& parameters) {
   Json json;
@@ -100,6 +100,19 @@ Json noiseJson(const core::NoiseAdaptation& noise) {
   return json;
 }
 
+/// What became of the front's mesh before it was level 0.
+Json frontJson(const core::FrontStatistics& front) {
+  Json json;
+  json["unused_representatives"] = front.unused_points;
+  json["split_vertices"] = front.split_vertices;
+  if (!front.healing) return json;
+  json["repaired_places"] = front.healing->repaired_places;
+  json["opened_places"] = front.healing->opened_places;
+  json["cut_handles"] = front.healing->cut_handles;
+  json["filled_loops"] = front.filled_loops + front.healing->filled_loops;
+  return json;
+}
+
 double totalSeconds(const std::vector<core::StageTime>& stages) {
   double sum = 0;
   for (const core::StageTime& stage : stages) sum += stage.seconds;
@@ -115,6 +128,15 @@ std::string formatted(const char* format, ...) {
   std::vsnprintf(line.data(), line.size(), format, values);
   va_end(values);
   return line.data();
+}
+
+std::string healingText(const core::FrontStatistics& front) {
+  if (!front.healing) return {};
+  const core::HealingStatistics& healing = *front.healing;
+  const core::Index mended = healing.repaired_places + healing.opened_places;
+  if (mended + healing.cut_handles + healing.filled_loops == 0) return {};
+  return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n", mended,
+                   healing.opened_places, healing.cut_handles, healing.filled_loops);
 }
 
 std::string levelRow(const RunReport& report, core::Index level) {
@@ -146,6 +168,7 @@ std::string jsonText(const Options& options, const RunReport& report) {
   json["threads"] = options.threads;
   json["noise"] = noiseJson(report.result.noise);
   json["representatives"] = report.result.representatives.size();
+  json["triangulation"] = frontJson(report.result.front);
   json["stages"] = Json::array();
   for (const core::StageTime& stage : report.stages) {
     json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
@@ -169,7 +192,8 @@ std::string summaryText(const Options& options, const RunReport& report) {
     text += formatted(", noise %.2g local spacings", noise.estimate.relative);
     if (noise.passes > 0) text += formatted(" (denoised in %d passes)", noise.passes);
   }
-  text += formatted(", %d representatives\n\n", report.result.representatives.size());
+  text += formatted(", %d representatives\n", report.result.representatives.size());
+  text += healingText(report.result.front) + "\n";
   text += formatted("%-16s %9s\n", "stage", "seconds");
   for (const core::StageTime& stage : report.stages) {
     text += formatted("%-16s %9.3f\n", stage.name.c_str(), stage.seconds);

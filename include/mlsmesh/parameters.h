@@ -121,10 +121,12 @@ struct TriangulationParameters {
   bool fill_small_loops = true;      ///< close border loops within the next limits
   int fill_max_edges = 6;            ///< edges of a loop that is filled, 3 .. 64
   double fill_max_perimeter = 50.0;  ///< of a loop that is filled, in (global) spacings of the cloud, > 0
-  int fill_supported_edges = 12;     ///< edges of a loop filled where the cloud supports it, 0 .. 64
+  int fill_supported_edges = 40;     ///< edges of a loop filled where the cloud supports it, 0 .. 64
   /// Over representatives: a triangle needs a point of the cloud within so many local spacings of its
   /// centroid and of the midpoints of its edges, so that openings stay open; 0 = no such test.
   double support_reach = 2.0;
+  double fill_reach = 3.3;  ///< the same for the fill of a loop that lies along the surface
+  bool heal = true;  ///< mend what meets itself, cut false handles, fill loops that the cloud supports
 };
 
 /// Which edges are split.

@@ -17,6 +17,7 @@
 #include "border_fill.h"
 #include "delaunay_stars.h"
 #include "front_rules.h"
+#include "healing.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/neighbor_search.h"
 #include "overlap_tests.h"
@@ -245,15 +246,13 @@ void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, HalfE
   statistics.filled_triangles += filled.triangles;
 }
 
-void growFronts(const FrontInput& input, const std::vector<Vec3>* normals,
+void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
                 const TriangulationParameters& parameters, const Context& context, HalfEdgeMesh& mesh,
                 FrontStatistics& statistics) {
   Front front(input, parameters, context, mesh, statistics);
   if (parameters.seeds == SeedRule::AgreedStars) {
-    const std::vector<Vec3> own =
-        normals ? std::vector<Vec3>() : tangentNormals(input.points, input.neighbors, context);
-    const StarRings stars = localStars(input.points, normals ? *normals : own, input.neighbors, input.spacing,
-                                       parameters.length_factor, context);
+    const StarRings stars =
+        localStars(input.points, normals, input.neighbors, input.spacing, parameters.length_factor, context);
     growFromIslands(input, agreedIslands(stars, context), parameters, mesh, front);
   }
   if (mesh.triangleCount() == 0) growFromSingleTriangles(input, parameters, mesh, front);
@@ -280,10 +279,13 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
 
   Triangulation result;
   HalfEdgeMesh mesh(static_cast<Index>(points.size()));
-  growFronts(front_input, input.normals, parameters, context, mesh, result.statistics);
+  std::vector<Vec3> normals = input.normals ? *input.normals : tangentNormals(points, neighbors, context);
+  growFronts(front_input, normals, parameters, context, mesh, result.statistics);
 
-  const FillLimits limits{parameters.fill_max_edges, parameters.fill_max_perimeter * input.spacing,
-                          parameters.fill_supported_edges, support};
+  const FillLimits limits{
+      parameters.fill_max_edges,
+      parameters.fill_max_perimeter * input.spacing,
+  };
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
   const PinchCount pinches =
       resolvePinches(mesh, kLargestDroppedFan, input.may_split ? &result.duplicate_of : nullptr);
@@ -294,6 +296,10 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
     cloud_spacing.push_back(cloud_spacing[original]);
   }
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
+  if (parameters.heal) {
+    for (const Index original : result.duplicate_of) normals.push_back(normals[original]);
+    result.statistics.healing = healMesh(mesh, {points, normals, support}, parameters, context);
+  }
   orientOutward(points, mesh);
   for (std::size_t p = 0; p < input.points.size(); ++p) {
     result.statistics.unused_points += mesh.isUsed(static_cast<Index>(p)) ? 0 : 1;

@@ -127,11 +127,6 @@ bool isSmall(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const st
   return perimeter <= limits.max_perimeter;
 }
 
-bool isSupported(const std::vector<Triangle>& fill, const CloudSupport& support) {
-  return support.testsAnything() &&
-         std::all_of(fill.begin(), fill.end(), [&](const Triangle& t) { return support.supports(t); });
-}
-
 }  // namespace
 
 std::vector<std::vector<Index>> simpleLoops(const HalfEdgeMesh& mesh, const std::vector<Index>& loop) {
@@ -157,15 +152,12 @@ std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& 
 
 FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits) {
   constexpr int kSlack = 4;  // a loop may be longer than the limit before it is cut at repeated vertices
-  const int most =
-      std::max(limits.max_edges, limits.support.testsAnything() ? limits.max_supported_edges : 0);
   FillCount count;
   for (const std::vector<Index>& walk : mesh.borderLoopEdges()) {
-    if (static_cast<int>(walk.size()) > kSlack * most) continue;
+    if (static_cast<int>(walk.size()) > kSlack * limits.max_edges) continue;
     for (const std::vector<Index>& loop : simpleLoops(mesh, walk)) {
-      if (static_cast<int>(loop.size()) > most) continue;
+      if (!isSmall(mesh, points, loop, limits)) continue;
       const std::vector<Triangle> fill = fillOf(mesh, points, loop);
-      if (!isSmall(mesh, points, loop, limits) && !isSupported(fill, limits.support)) continue;
       for (const auto& [a, b, c] : fill) mesh.addTriangle(a, b, c);
       count.loops += fill.empty() ? 0 : 1;
       count.triangles += static_cast<Index>(fill.size());

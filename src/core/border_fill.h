@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "cloud_support.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 
 namespace mlsmesh::core {
 
-/// A loop is filled if it has at most max_edges edges and a perimeter of at most max_perimeter (in the
-/// points' unit), or if it has at most max_supported_edges and the cloud supports every triangle of the fill.
+/// A loop is filled if it has at most max_edges edges and a perimeter of at most max_perimeter, in the
+/// points' unit.
 struct FillLimits {
   int max_edges = 6;
   double max_perimeter = 0;
-  int max_supported_edges = 0;
-  const CloudSupport& support;
 };
 
 struct FillCount {

@@ -12,11 +12,11 @@ bool CloudSupport::isNear(const Vec3& position, double distance) const {
   return squared <= distance * distance;
 }
 
-bool CloudSupport::supports(const Triangle& triangle) const {
+bool CloudSupport::supports(const Triangle& triangle, double reach) const {
   if (!cloud_) return true;
   const auto& [a, b, c] = triangle;
   const Vec3 &pa = (*points_)[a], &pb = (*points_)[b], &pc = (*points_)[c];
-  const double distance = reach_ * std::max({(*spacing_)[a], (*spacing_)[b], (*spacing_)[c]});
+  const double distance = reach * std::max({(*spacing_)[a], (*spacing_)[b], (*spacing_)[c]});
   const double longest = std::max({(pa - pb).norm(), (pb - pc).norm(), (pc - pa).norm()});
   if (longest <= distance) return true;  // its corners lie on the surface of the cloud
   return isNear((pa + pb + pc) / 3, distance) && isNear((pa + pb) / 2, distance) &&

@@ -18,7 +18,8 @@ class CloudSupport {
   bool testsAnything() const { return cloud_ != nullptr; }
   /// Whether the centroid and the midpoints of the edges each have a point of the cloud within reach. Short
   /// triangles always do. Four searches for one neighbour at most.
-  bool supports(const Triangle& triangle) const;
+  bool supports(const Triangle& triangle) const { return supports(triangle, reach_); }
+  bool supports(const Triangle& triangle, double reach) const;
 
  private:
   bool isNear(const Vec3& position, double distance) const;

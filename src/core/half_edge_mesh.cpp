@@ -115,10 +115,23 @@ Index HalfEdgeMesh::addTriangle(Index a, Index b, Index c) {
   vertex_.insert(vertex_.end(), {a, b, c});
   twin_.insert(twin_.end(), 3, kNone);
   next_out_.insert(next_out_.end(), 3, kNone);
-  for (Index corner = h; corner < h + 3; ++corner) link(corner);
-  for (Index corner = h; corner < h + 3; ++corner) connect(corner, find(target(corner), origin(corner)));
-  ++live_;
+  linkTriangle(h);
   return h / 3;
+}
+
+bool HalfEdgeMesh::reviveTriangle(Index slot, Index a, Index b, Index c) {
+  assert(!alive(slot));
+  if (!canAdd(a, b, c)) return false;
+  setCorners(3 * slot, {a, b, c});
+  linkTriangle(3 * slot);
+  return true;
+}
+
+// Links the triangle of this first half-edge, whose corners are set, with what is there.
+void HalfEdgeMesh::linkTriangle(Index half_edge) {
+  for (Index h = half_edge; h < half_edge + 3; ++h) link(h);
+  for (Index h = half_edge; h < half_edge + 3; ++h) connect(h, find(target(h), origin(h)));
+  ++live_;
 }
 
 void HalfEdgeMesh::removeTriangle(Index triangle) {

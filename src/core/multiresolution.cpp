@@ -13,6 +13,7 @@
 #include "mlsmesh/core/noise.h"
 #include "mlsmesh/core/outliers.h"
 #include "mlsmesh/core/parameter_check.h"
+#include "mlsmesh/core/self_intersections.h"
 #include "side_flips.h"
 
 namespace mlsmesh::core {
@@ -112,7 +113,8 @@ void makeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
     mesh.normal[v] = fitted.dot(mesh.normal[v]) < 0 ? Vec3(-fitted) : fitted;
   }
   mesh.level_triangles.push_back(std::move(triangles));
-  mesh.level_intersections.emplace_back();
+  const std::optional<HealingStatistics>& healing = triangulation.statistics.healing;
+  mesh.level_intersections.push_back(healing ? std::optional(healing->intersections) : std::nullopt);
   mesh.level_vertices.push_back(static_cast<Index>(mesh.position.size()));
 }
 
@@ -132,14 +134,37 @@ std::vector<VertexSides> vertexSides(const Reconstruction& result) {
   return sides;
 }
 
-void turnToSides(Reconstruction& result) {
-  RefinedMesh& mesh = result.mesh;
+HalfEdgeMesh levelZero(const RefinedMesh& mesh) {
   HalfEdgeMesh level;
   std::string why;
   if (!buildMesh(static_cast<Index>(mesh.position.size()), mesh.level_triangles[0], level, &why)) {
     throw Failure(StatusCode::Internal, "the triangulation is not a manifold: " + why);
   }
-  if (flipToSides(level, mesh.position, vertexSides(result)) > 0) mesh.level_triangles[0] = level.triangles();
+  return level;
+}
+
+// Flips edges to the sides of sharp edges. Where triangles then meet that should not, edges stay.
+void turnToSides(const Context& context, Reconstruction& result) {
+  constexpr int kRounds = 4;
+  RefinedMesh& mesh = result.mesh;
+  std::vector<VertexSides> sides = vertexSides(result);
+  for (int round = 0; round < kRounds; ++round) {
+    HalfEdgeMesh level = levelZero(mesh);
+    if (flipToSides(level, mesh.position, sides) == 0) return;
+    std::vector<Triangle> triangles = level.triangles();
+    const auto pairs = SelfIntersections(mesh.position, triangles, context, &level).all();
+    const auto count = static_cast<std::int64_t>(pairs.size());
+    if (count <= mesh.level_intersections[0].value_or(0)) {
+      mesh.level_triangles[0] = std::move(triangles);
+      mesh.level_intersections[0] = count;
+      return;
+    }
+    for (const TrianglePair& pair : pairs) {
+      for (const Index t : pair) {
+        for (const Index v : triangles[t]) sides[v].count = 0;
+      }
+    }
+  }
 }
 
 MeshReport reportLevel(const RefinedMesh& mesh, Index level, const Context& context) {
@@ -268,7 +293,7 @@ void triangulateRepresentatives(const NeighborSearch& search, const Context& con
   const Triangulation triangulation = triangulate(input, result.noise.parameters.triangulation, context);
   result.front = triangulation.statistics;
   makeLevelZero(triangulation, result);
-  if (result.features.any()) turnToSides(result);
+  if (result.features.any()) turnToSides(context, result);
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ void check(const TriangulationParameters& parameters) {
   checkPositive("triangulation.fill_max_perimeter", parameters.fill_max_perimeter);
   checkRange("triangulation.fill_supported_edges", parameters.fill_supported_edges, 0, 64);
   checkAtLeast("triangulation.support_reach", parameters.support_reach, 0);
+  checkAtLeast("triangulation.fill_reach", parameters.fill_reach, 0);
 }
 
 void check(const RefinementParameters& parameters) {

@@ -179,7 +179,8 @@ void SelfIntersections::measure(std::size_t rank) {
 // same side: then none of these meets another outside of the edges that they share.
 void SelfIntersections::findSpread(const HalfEdgeMesh& mesh) {
   std::vector<FanView> fans(position_.size());
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+  for (std::size_t t = 0; t < static_cast<std::size_t>(mesh.slotCount()); ++t) {
+    if (!mesh.alive(static_cast<Index>(t))) continue;
     for (int i = 0; i < 3; ++i) {
       const Index at = triangles_[t][i], from = triangles_[t][(i + 1) % 3], to = triangles_[t][(i + 2) % 3];
       FanView& fan = fans[at];

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "cloud_support.h"
 #include "surfaces.h"
 #include "test_shapes.h"
 
@@ -59,10 +60,8 @@ double areaOf(const HalfEdgeMesh& mesh, const Points& points) {
   return area;
 }
 
-/// Nothing is said of the cloud.
 FillLimits limits(int max_edges, double max_perimeter) {
-  static const CloudSupport none;
-  return {max_edges, max_perimeter, 0, none};
+  return {max_edges, max_perimeter};
 }
 
 TEST(BorderFill, ClosesAHoleInAPlaneFlat) {
@@ -175,26 +174,6 @@ TEST(BorderFill, MakesNoDegenerateTriangle) {
   ASSERT_EQ(fillLoops(mesh, points, limits(12, 100)).loops, 1);
   test::expectSound(reportMesh(points, mesh.triangles()));
   EXPECT_NEAR(areaOf(mesh, points), (kSide - 1) * (kSide - 1), 1e-12);
-}
-
-TEST(BorderFill, ClosesALargerLoopOnlyOverTheCloud) {
-  HalfEdgeMesh torn = sheet();
-  for (Index y = 4; y < 7; ++y) removeStar(torn, at(5, y));
-  const Points points = sheetPoints();
-  const std::vector<double> spacing(points.size(), 0.25);
-  Points cloud, holed;
-  for (int x = 0; x <= 44; ++x)
-    for (int y = 0; y <= 44; ++y) cloud.emplace_back(0.25 * x, 0.25 * y, 0);
-  for (const Vec3& p : cloud)
-    if ((p - Vec3(5, 5, 0)).norm() > 0.9) holed.push_back(p);
-  for (const bool supported : {true, false}) {
-    const auto search = makeKdTree(supported ? cloud : holed);
-    const CloudSupport support(points, spacing, *search, 2.0);
-    HalfEdgeMesh mesh = torn;
-    EXPECT_EQ(fillLoops(mesh, points, {6, 100, 12, support}).loops, supported ? 1 : 0);
-    HalfEdgeMesh limited = torn;
-    EXPECT_EQ(fillLoops(limited, points, {6, 100, 9, support}).loops, 0);
-  }
 }
 
 TEST(CloudSupport, AsksForPointsNearLongTriangles) {

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "mlsmesh/core/context.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 #include "mlsmesh/core/neighbor_search.h"
 #include "mlsmesh/parameters.h"
 
 namespace mlsmesh::core {
+
+/// What was mended once the front had come to its end.
+struct HealingStatistics {
+  Index repaired_places = 0;       ///< where triangles met that should not, and were made anew
+  Index opened_places = 0;         ///< where that did not help, and one of them was taken out
+  Index cut_handles = 0;           ///< false ones
+  Index filled_loops = 0;          ///< where the cloud has points
+  std::int64_t intersections = 0;  ///< pairs of triangles that still meet
+};
 
 struct FrontStatistics {
   Index seed_triangles = 0;   ///< loaded from agreed stars, or single seeds
@@ -16,6 +27,7 @@ struct FrontStatistics {
   Index dropped_triangles = 0;  ///< removed at pinched vertices
   Index split_vertices = 0;     ///< pinched vertices that were duplicated (only if allowed)
   Index unused_points = 0;
+  std::optional<HealingStatistics> healing;  ///< none if nothing was looked for
 };
 
 /// What is triangulated. Only `points` must be given; all that is referred to must outlive the call.

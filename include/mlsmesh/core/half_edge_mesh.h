@@ -59,8 +59,10 @@ class HalfEdgeMesh {
   /// Adds the triangle in a new slot and links twins; kNone (and no change) unless canAdd. Throws
   /// Failure(IndexOverflow).
   Index addTriangle(Index a, Index b, Index c);
-  /// Takes a live triangle out; its slot stays, dead for ever.
+  /// Takes a live triangle out; its slot stays, dead until revived.
   void removeTriangle(Index triangle);
+  /// Adds the triangle in a dead slot; false (and no change) unless canAdd.
+  bool reviveTriangle(Index slot, Index a, Index b, Index c);
   /// Turns the edge of h inside its two triangles, so that h and its twin are the other diagonal; false (and
   /// no change) on a border or where the new edge exists.
   bool flip(Index half_edge);
@@ -76,6 +78,8 @@ class HalfEdgeMesh {
   std::vector<std::vector<Index>> borderLoops() const;
   /// Outgoing border half-edges of each loop, in walking order.
   std::vector<std::vector<Index>> borderLoopEdges() const;
+  /// The border half-edge after this one on its loop, within its fan.
+  Index nextBorder(Index half_edge) const;
   /// Edge-connected component of every triangle slot (kNone for removed ones), numbered in slot order.
   std::vector<Index> components(Index* count = nullptr) const;
   /// Empty if all invariants hold (links, twins, one fan a vertex); else a text that names the first
@@ -88,7 +92,7 @@ class HalfEdgeMesh {
   void connect(Index half_edge, Index other);
   void setCorners(Index half_edge, const Triangle& corners);
   bool startsClosedFan(Index half_edge) const;
-  Index nextBorder(Index half_edge) const;
+  void linkTriangle(Index half_edge);
   std::string slotFault() const;
   std::string twinFault() const;
   std::string listFault() const;

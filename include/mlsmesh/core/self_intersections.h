@@ -16,8 +16,8 @@ using TrianglePair = std::array<Index, 2>;
 /// about 50 bytes a triangle.
 class SelfIntersections {
  public:
-  /// Corners must be vertices. `mesh`, if not null, is the mesh of these triangles, numbered alike; it is
-  /// only read here, and makes searches faster. O(n log n). Throws Failure(Cancelled), as do the searches.
+  /// Corners must be vertices. `mesh`, if not null, is the mesh of these triangles, numbered alike; where it
+  /// has none alive, the triangle must be degenerate. It is only read here, and makes searches faster. O(n log n). Throws Failure(Cancelled), as do the searches.
   SelfIntersections(const std::vector<Vec3>& position, const std::vector<Triangle>& triangles,
                     const Context& context, const HalfEdgeMesh* mesh = nullptr);
 

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// This work is based on:
+// - M. Attene, "A lightweight approach to repairing digitized polygon meshes", The Visual Computer 2010:
+//   intersecting triangles go, with growing surroundings, and the holes are filled again.
+// - I. Guskov, Z. Wood, "Topological noise removal", Graphics Interface 2001: handles that a short loop goes
+//   round are cut, and both sides closed. Departure: a thin part of the surface has such loops too, so a cut
+//   stands only where its caps lie along the surface better than what it took out.
+#include "healing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "handle_loops.h"
+#include "local_repair.h"
+#include "overlap_tests.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr int kMostRings = 3;     // around triangles that meet
+constexpr int kHandleEdges = 14;  // of a walk round a handle that may be false
+constexpr int kHandleRounds = 8;
+constexpr double kAlong = 0.6;  // a fill that leans less, on the average, may be as far from points as a hole
+
+class Healer {
+ public:
+  Healer(HalfEdgeMesh& mesh, const HealingInput& input, const TriangulationParameters& parameters,
+         const Context& context)
+      : input_(input),
+        parameters_(parameters),
+        context_(context),
+        mesh_(mesh),
+        surgery_(mesh, input.points, context),
+        repair_(surgery_) {}
+
+  HealingStatistics run() {
+    if (parameters_.fill_small_loops) fillSupportedLoops();
+    const bool repaired = repairMeetings();
+    const bool cut = cutHandles();
+    if ((repaired || cut) && parameters_.fill_small_loops) fillSupportedLoops();
+    statistics_.intersections = static_cast<std::int64_t>(surgery_.pairs().size());
+    return statistics_;
+  }
+
+ private:
+  void fillSupportedLoops() {
+    if (!input_.support.testsAnything()) return;
+    for (const std::vector<Index>& loop : mesh_.borderLoopEdges()) {
+      if (static_cast<int>(loop.size()) > parameters_.fill_supported_edges) continue;
+      context_.checkCancelled();
+      std::vector<Index> vertices;
+      for (const Index h : loop) vertices.push_back(mesh_.origin(h));
+      const std::size_t mark = surgery_.mark();
+      const auto fill = [&] { return repair_.close(loop) && isSupported(surgery_.addedSince(mark)); };
+      const auto closes = [](const LocalTopology& before, const LocalTopology& after) {
+        return after.loops < before.loops;
+      };
+      if (repair_.attempt(distinct(std::move(vertices)), fill, closes)) ++statistics_.filled_loops;
+    }
+  }
+
+  bool isSupported(const Region& fill) const {
+    const double reach = meanLean(fill) < kAlong ? parameters_.fill_reach : parameters_.support_reach;
+    return std::all_of(fill.begin(), fill.end(),
+                       [&](Index t) { return input_.support.supports(mesh_.corners(t), reach); });
+  }
+
+  bool repairMeetings() {
+    std::set<TrianglePair> hopeless;
+    for (;;) {
+      context_.checkCancelled();
+      const auto next = std::find_if(surgery_.pairs().begin(), surgery_.pairs().end(),
+                                     [&](const TrianglePair& pair) { return hopeless.count(pair) == 0; });
+      if (next == surgery_.pairs().end()) break;
+      const TrianglePair pair = *next;
+      if (repairPlace(placeOf(pair)))
+        ++statistics_.repaired_places;
+      else
+        hopeless.insert(pair);
+    }
+    while (!surgery_.pairs().empty()) {
+      repair_.open({worseOf(*surgery_.pairs().begin())});
+      ++statistics_.opened_places;
+    }
+    return statistics_.repaired_places + statistics_.opened_places > 0;
+  }
+
+  // The triangle of the pair that meets more others; of equals, the one that leans more.
+  Index worseOf(const TrianglePair& pair) const {
+    std::array<Index, 2> met{};
+    for (const TrianglePair& other : surgery_.pairs()) {
+      for (std::size_t i = 0; i < 2; ++i) met[i] += other[0] == pair[i] || other[1] == pair[i] ? 1 : 0;
+    }
+    if (met[0] != met[1]) return pair[met[0] > met[1] ? 0 : 1];
+    return pair[leanOf(mesh_.corners(pair[0])) > leanOf(mesh_.corners(pair[1])) ? 0 : 1];
+  }
+
+  // The triangles of the pair and of all pairs that are linked to it.
+  Region placeOf(const TrianglePair& first) const {
+    std::set<Index> place(first.begin(), first.end());
+    for (std::size_t before = 0; before != place.size();) {
+      before = place.size();
+      for (const TrianglePair& pair : surgery_.pairs()) {
+        if (place.count(pair[0]) != 0 || place.count(pair[1]) != 0) place.insert(pair.begin(), pair.end());
+      }
+    }
+    return {place.begin(), place.end()};
+  }
+
+  bool repairPlace(Region place) {
+    const auto meetsLess = [](const LocalTopology& before, const LocalTopology& after) {
+      return after.pairs < before.pairs;
+    };
+    for (int ring = 0; ring <= kMostRings; ++ring, place = grown(mesh_, place)) {
+      if (repair_.attempt(
+              verticesOf(mesh_, place), [&] { return repair_.renew(place); }, meetsLess))
+        return true;
+    }
+    return false;
+  }
+
+  bool hasHandles() const {
+    Index components = 0;
+    mesh_.components(&components);
+    return surgery_.euler() + static_cast<Index>(mesh_.borderLoopEdges().size()) < 2 * components;
+  }
+
+  bool cutHandles() {
+    for (int round = 0; round < kHandleRounds && hasHandles(); ++round) {
+      context_.checkCancelled();
+      Index cut = 0;
+      for (const std::vector<Index>& walk : shortHandleLoops(mesh_, input_.points, kHandleEdges))
+        cut += cutAlong(walk) || cutAlong({walk.rbegin(), walk.rend()}) ? 1 : 0;
+      statistics_.cut_handles += cut;
+      if (cut == 0) break;
+    }
+    return statistics_.cut_handles > 0;
+  }
+
+  // Takes out the triangles left of the walk and closes both sides, if that cuts the handle and the caps are
+  // more a part of the surface than they.
+  bool cutAlong(const std::vector<Index>& walk) {
+    const Region strip = leftOf(walk);
+    const double lean = meanLean(strip);
+    const std::size_t mark = surgery_.mark();
+    const auto cuts = [&](const LocalTopology& before, const LocalTopology& after) {
+      return after.closedness() > before.closedness() && meanLean(surgery_.addedSince(mark)) < lean;
+    };
+    return repair_.attempt(
+        verticesOf(mesh_, strip), [&] { return repair_.renew(strip); }, cuts);
+  }
+
+  // The triangles left of a closed walk, at its vertices; those of another cut may have broken the walk.
+  Region leftOf(const std::vector<Index>& walk) const {
+    Region region;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      const Index before = walk[i], at = walk[(i + 1) % walk.size()], after = walk[(i + 2) % walk.size()];
+      for (Index h = mesh_.find(at, after); h != kNone;) {
+        region.push_back(HalfEdgeMesh::triangleOf(h));
+        const Index incoming = HalfEdgeMesh::previous(h);
+        h = mesh_.origin(incoming) == before ? kNone : mesh_.twin(incoming);
+      }
+    }
+    return distinct(std::move(region));
+  }
+
+  // How far a triangle leans from the surface at its corners, 0 .. 1.
+  double leanOf(const Triangle& t) const {
+    const Vec3 normal = unitNormal(input_.points[t[0]], input_.points[t[1]], input_.points[t[2]]);
+    double along = 0;
+    for (const Index v : t) along += std::abs(normal.dot(input_.normals[v]));
+    return 1 - along / 3;
+  }
+
+  double meanLean(const Region& region) const {
+    double sum = 0;
+    for (const Index t : region) sum += leanOf(mesh_.corners(t));
+    return region.empty() ? 0 : sum / static_cast<double>(region.size());
+  }
+
+  const HealingInput input_;
+  const TriangulationParameters& parameters_;
+  const Context& context_;
+  HalfEdgeMesh& mesh_;
+  MeshSurgery surgery_;
+  LocalRepair repair_;
+  HealingStatistics statistics_;
+};
+
+}  // namespace
+
+HealingStatistics healMesh(HalfEdgeMesh& mesh, const HealingInput& input,
+                           const TriangulationParameters& parameters, const Context& context) {
+  return Healer(mesh, input, parameters, context).run();
+}
+
+}  // namespace mlsmesh::core

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "local_repair.h"
+
+#include <algorithm>
+
+#include "border_fill.h"
+
+namespace mlsmesh::core {
+namespace {
+
+constexpr std::size_t kMostEdges = 60;  // of a loop that is filled: the work grows with their cube
+
+// The loops that the border half-edges lie on, each once.
+std::vector<std::vector<Index>> loopsOf(const HalfEdgeMesh& mesh, const std::vector<Index>& half_edges) {
+  std::vector<std::vector<Index>> loops;
+  std::set<Index> seen;
+  for (const Index start : half_edges) {
+    if (seen.count(start) != 0) continue;
+    std::vector<Index>& loop = loops.emplace_back();
+    for (Index h = start; seen.insert(h).second; h = mesh.nextBorder(h)) loop.push_back(h);
+  }
+  return loops;
+}
+
+std::vector<Index> bordersAt(const HalfEdgeMesh& mesh, const std::vector<Index>& vertices) {
+  std::vector<Index> borders;
+  for (const Index v : vertices) {
+    for (Index h = mesh.firstOutgoing(v); h != kNone; h = mesh.nextOutgoing(h)) {
+      if (mesh.isBorder(h)) borders.push_back(h);
+    }
+  }
+  return borders;
+}
+
+}  // namespace
+
+Region distinct(Region region) {
+  std::sort(region.begin(), region.end());
+  region.erase(std::unique(region.begin(), region.end()), region.end());
+  return region;
+}
+
+Region grown(const HalfEdgeMesh& mesh, const Region& region) {
+  Region larger;
+  for (const Index v : verticesOf(mesh, region)) {
+    for (Index h = mesh.firstOutgoing(v); h != kNone; h = mesh.nextOutgoing(h))
+      larger.push_back(HalfEdgeMesh::triangleOf(h));
+  }
+  return distinct(std::move(larger));
+}
+
+std::vector<Index> verticesOf(const HalfEdgeMesh& mesh, const Region& region) {
+  std::vector<Index> vertices;
+  for (const Index t : region) {
+    for (const Index v : mesh.corners(t)) vertices.push_back(v);
+  }
+  return distinct(std::move(vertices));
+}
+
+LocalTopology LocalRepair::topologyAt(const std::vector<Index>& vertices) const {
+  const HalfEdgeMesh& mesh = surgery_.mesh();
+  return {surgery_.pairs().size(), loopsOf(mesh, bordersAt(mesh, vertices)).size(), surgery_.euler()};
+}
+
+Index LocalRepair::componentCount() const {
+  Index count = 0;
+  surgery_.mesh().components(&count);
+  return count;
+}
+
+bool LocalRepair::isPinched(const std::vector<Index>& vertices) const {
+  return std::any_of(vertices.begin(), vertices.end(),
+                     [&](Index v) { return surgery_.mesh().fanCount(v) > 1; });
+}
+
+bool LocalRepair::attempt(const std::vector<Index>& vertices, const Change& change, const Helps& helps) {
+  const std::size_t mark = surgery_.mark();
+  const LocalTopology before = topologyAt(vertices);
+  if (components_ == kNone) components_ = componentCount();
+  if (change() && !isPinched(vertices)) {
+    const LocalTopology after = topologyAt(vertices);
+    const Index gain = after.closedness() - before.closedness();
+    const bool harmless = after.pairs <= before.pairs && after.loops <= before.loops && gain >= 0;
+    if (harmless && helps(before, after) && (gain == 0 || componentCount() <= components_)) return true;
+  }
+  surgery_.undo(mark);
+  return false;
+}
+
+bool LocalRepair::renew(const Region& region) {
+  const std::size_t mark = surgery_.mark();
+  surgery_.remove(region);
+  const std::vector<Index> opened = surgery_.openedSince(mark);
+  for (const std::vector<Index>& loop : loopsOf(surgery_.mesh(), opened)) {
+    const bool is_new = std::all_of(loop.begin(), loop.end(), [&](Index h) {
+      return std::binary_search(opened.begin(), opened.end(), h);
+    });
+    if (is_new && !close(loop)) return false;
+  }
+  return true;
+}
+
+bool LocalRepair::close(const std::vector<Index>& loop) {
+  for (const std::vector<Index>& part : simpleLoops(surgery_.mesh(), loop)) {
+    if (part.size() > kMostEdges) return false;
+    const std::vector<Triangle> fill = fillOf(surgery_.mesh(), surgery_.points(), part);
+    if (fill.empty() || !surgery_.add(fill)) return false;
+  }
+  return true;
+}
+
+void LocalRepair::open(Region region) {
+  while (!region.empty()) {
+    const std::vector<Index> touched = verticesOf(surgery_.mesh(), region);
+    surgery_.remove(region);
+    region = smallerFans(touched);
+  }
+  components_ = kNone;
+}
+
+Region LocalRepair::smallerFans(const std::vector<Index>& vertices) const {
+  Region region;
+  for (const Index v : vertices) {
+    std::vector<std::vector<Index>> fans = surgery_.mesh().fans(v);
+    if (fans.size() < 2) continue;
+    std::stable_sort(fans.begin(), fans.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    for (std::size_t i = 1; i < fans.size(); ++i) {
+      for (const Index h : fans[i]) region.push_back(HalfEdgeMesh::triangleOf(h));
+    }
+  }
+  return distinct(std::move(region));
+}
+
+}  // namespace mlsmesh::core
