@@ -21,7 +21,7 @@ namespace {
 constexpr int kMostRings = 3;     // around triangles that meet
 constexpr int kHandleEdges = 14;  // of a walk round a handle that may be false
 constexpr int kHandleRounds = 8;
-constexpr double kAlong = 0.6;  // a fill that leans less, on the average, may be as far from points as a hole
+constexpr double kAlong = 0.6;  // mean lean of a fill that belongs to the surface
 
 class Healer {
  public:
@@ -60,10 +60,12 @@ class Healer {
     }
   }
 
+  // Whether the cloud has points near all of the fill, and the fill lies along their surface: over an open rim
+  // it would stand across.
   bool isSupported(const Region& fill) const {
-    const double reach = meanLean(fill) < kAlong ? parameters_.fill_reach : parameters_.support_reach;
-    return std::all_of(fill.begin(), fill.end(),
-                       [&](Index t) { return input_.support.supports(mesh_.corners(t), reach); });
+    return meanLean(fill) < kAlong && std::all_of(fill.begin(), fill.end(), [&](Index t) {
+             return input_.support.supports(mesh_.corners(t), parameters_.fill_reach);
+           });
   }
 
   bool repairMeetings() {

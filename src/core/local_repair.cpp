@@ -88,16 +88,25 @@ bool LocalRepair::attempt(const std::vector<Index>& vertices, const Change& chan
 }
 
 bool LocalRepair::renew(const Region& region) {
+  const HalfEdgeMesh& mesh = surgery_.mesh();
+  const bool had_border = std::any_of(region.begin(), region.end(), [&](Index t) {
+    return mesh.isBorder(3 * t) || mesh.isBorder(3 * t + 1) || mesh.isBorder(3 * t + 2);
+  });
   const std::size_t mark = surgery_.mark();
   surgery_.remove(region);
   const std::vector<Index> opened = surgery_.openedSince(mark);
-  for (const std::vector<Index>& loop : loopsOf(surgery_.mesh(), opened)) {
-    const bool is_new = std::all_of(loop.begin(), loop.end(), [&](Index h) {
-      return std::binary_search(opened.begin(), opened.end(), h);
-    });
-    if (is_new && !close(loop)) return false;
+  std::vector<std::vector<Index>> loops = loopsOf(mesh, opened);
+  const auto wasOpen = std::stable_partition(loops.begin(), loops.end(), [&](const std::vector<Index>& loop) {
+    return std::all_of(loop.begin(), loop.end(),
+                       [&](Index h) { return std::binary_search(opened.begin(), opened.end(), h); });
+  });
+  const bool lost_border = had_border && wasOpen == loops.end();
+  loops.erase(wasOpen, loops.end());
+  if (lost_border && !loops.empty()) {  // the whole border went: the longest loop is now in its place
+    loops.erase(std::max_element(loops.begin(), loops.end(),
+                                 [](const auto& x, const auto& y) { return x.size() < y.size(); }));
   }
-  return true;
+  return std::all_of(loops.begin(), loops.end(), [&](const auto& loop) { return close(loop); });
 }
 
 bool LocalRepair::close(const std::vector<Index>& loop) {

@@ -39,8 +39,9 @@ class LocalRepair {
   /// makes no more meetings, loops, handles or components, and helps. Takes it back otherwise.
   bool attempt(const std::vector<Index>& vertices, const Change& change, const Helps& helps);
 
-  /// Takes the region out and closes the loops which that opens, but for those that were open before. False
-  /// (with the work half done) where one cannot be closed.
+  /// Takes the region out and closes the loops which that opens, but for those that were open before; where a
+  /// whole border goes with the region, the longest loop takes its place. False (with the work half done)
+  /// where one cannot be closed.
   bool renew(const Region& region);
   /// Closes the border loop that these half-edges run along, false where no fill fits.
   bool close(const std::vector<Index>& loop);
