@@ -202,7 +202,8 @@ void addTriangulation(std::vector<Parameter>& table) {
   rows.add("fill_reach", &Step::fill_reach, kNotNegative,
            "the same for the triangles that fill a loop, if they lie along the surface");
   rows.add("heal", &Step::heal,
-           "mend triangles that meet, cut false handles, fill loops where the cloud supports it");
+           "mend triangles that meet, cut false handles, fill loops where the cloud supports it, take flaps "
+           "off borders");
 }
 
 void addRefinement(std::vector<Parameter>& table) {

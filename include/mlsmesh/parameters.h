@@ -126,7 +126,8 @@ struct TriangulationParameters {
   /// centroid and of the midpoints of its edges, so that openings stay open; 0 = no such test.
   double support_reach = 2.0;
   double fill_reach = 3.3;  ///< the same for the fill of a loop that lies along the surface
-  bool heal = true;  ///< mend what meets itself, cut false handles, fill loops that the cloud supports
+  /// mend what meets itself, cut false handles, fill loops that the cloud supports, take flaps off borders
+  bool heal = true;
 };
 
 /// Which edges are split.

@@ -15,6 +15,7 @@
 #include <queue>
 
 #include "border_fill.h"
+#include "border_trim.h"
 #include "delaunay_stars.h"
 #include "front_rules.h"
 #include "healing.h"
@@ -294,11 +295,12 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   for (const Index original : result.duplicate_of) {
     points.push_back(points[original]);
     cloud_spacing.push_back(cloud_spacing[original]);
+    normals.push_back(normals[original]);
   }
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
   if (parameters.heal) {
-    for (const Index original : result.duplicate_of) normals.push_back(normals[original]);
     result.statistics.healing = healMesh(mesh, {points, normals, support}, parameters, context);
+    result.statistics.dropped_triangles += trimFlaps(mesh, points, normals);
   }
   orientOutward(points, mesh);
   for (std::size_t p = 0; p < input.points.size(); ++p) {

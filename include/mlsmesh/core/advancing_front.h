@@ -24,7 +24,7 @@ struct FrontStatistics {
   Index front_triangles = 0;  ///< added by the front
   Index filled_loops = 0;
   Index filled_triangles = 0;
-  Index dropped_triangles = 0;  ///< removed at pinched vertices
+  Index dropped_triangles = 0;  ///< removed at pinched vertices, and flaps on borders
   Index split_vertices = 0;     ///< pinched vertices that were duplicated (only if allowed)
   Index unused_points = 0;
   std::optional<HealingStatistics> healing;  ///< none if nothing was looked for
