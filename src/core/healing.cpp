@@ -21,7 +21,8 @@ namespace {
 constexpr int kMostRings = 3;     // around triangles that meet
 constexpr int kHandleEdges = 14;  // of a walk round a handle that may be false
 constexpr int kHandleRounds = 8;
-constexpr double kAlong = 0.6;  // mean lean of a fill that belongs to the surface
+constexpr double kAlong = 0.6;   // mean lean of a fill that belongs to the surface
+constexpr double kTurned = 1.3;  // mean lean, side and all, of one that is turned against what it closes
 
 class Healer {
  public:
@@ -60,12 +61,36 @@ class Healer {
     }
   }
 
-  // Whether the cloud has points near all of the fill, and the fill lies along their surface: over an open rim
-  // it would stand across.
+  // Whether the cloud has points near all of the fill, and the fill goes on with the surface around it. The
+  // rim of a small sheet has its own points all around, but what closes it is turned against the sheet.
   bool isSupported(const Region& fill) const {
-    return meanLean(fill) < kAlong && std::all_of(fill.begin(), fill.end(), [&](Index t) {
-             return input_.support.supports(mesh_.corners(t), parameters_.fill_reach);
-           });
+    if (meanLean(fill) >= kAlong || leanFromAround(fill) >= kTurned) return false;
+    return std::all_of(fill.begin(), fill.end(), [&](Index t) {
+      return input_.support.supports(mesh_.corners(t), parameters_.fill_reach);
+    });
+  }
+
+  // As meanLean, with the side on which the triangles around the region lie: 0 .. 2.
+  double leanFromAround(const Region& region) const {
+    double sum = 0;
+    for (const Index t : region) {
+      const Vec3 own = normalOf(t);
+      for (const Index v : mesh_.corners(t)) {
+        Vec3 around = Vec3::Zero();
+        for (Index h = mesh_.firstOutgoing(v); h != kNone; h = mesh_.nextOutgoing(h)) {
+          const Index other = HalfEdgeMesh::triangleOf(h);
+          if (!std::binary_search(region.begin(), region.end(), other)) around += normalOf(other);
+        }
+        const Vec3& normal = input_.normals[v];
+        sum += own.dot(normal.dot(around) < 0 ? Vec3(-normal) : normal);
+      }
+    }
+    return region.empty() ? 0 : 1 - sum / (3 * static_cast<double>(region.size()));
+  }
+
+  Vec3 normalOf(Index triangle) const {
+    const auto [a, b, c] = mesh_.corners(triangle);
+    return unitNormal(input_.points[a], input_.points[b], input_.points[c]);
   }
 
   bool repairMeetings() {

@@ -205,5 +205,22 @@ TEST(Healing, FillsGapsOnlyOverTheCloud) {
   }
 }
 
+TEST(Healing, DoesNotCoverASmallSheetTwice) {
+  // The rim of the sheet has the points of the sheet itself all around.
+  constexpr Index kSide = 8;
+  test::Soup sheet = test::grid(kSide, kSide);
+  Points normals;
+  for (Index v = 0; v < sheet.vertexCount(); ++v) {
+    const double x = v / (kSide + 1), y = v % (kSide + 1);
+    sheet.vertices[v] = Vec3(x, y, 0.02 * (x * x + y * y));
+    normals.push_back(Vec3(-0.04 * x, -0.04 * y, 1).normalized());
+  }
+  const std::vector<double> spacing(sheet.vertices.size(), 1);
+  const auto search = makeKdTree(sheet.vertices);
+  const CloudSupport support(sheet.vertices, spacing, *search, 2.0);
+  HalfEdgeMesh mesh = meshOf(sheet);
+  EXPECT_EQ(heal(mesh, sheet.vertices, normals, support).report.border_loops, 1);
+}
+
 }  // namespace
 }  // namespace mlsmesh::core
