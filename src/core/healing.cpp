@@ -21,7 +21,8 @@ namespace {
 constexpr int kMostRings = 3;     // around triangles that meet
 constexpr int kHandleEdges = 14;  // of a walk round a handle that may be false
 constexpr int kHandleRounds = 8;
-constexpr double kAlong = 0.6;   // mean lean of a fill that belongs to the surface
+constexpr double kAlong = 0.6;  // mean lean of a fill that belongs to the surface
+constexpr double kDisc = 4;  // triangles beside a gap, per squared edge of its loop: ten times those inside
 constexpr double kTurned = 1.3;  // mean lean, side and all, of one that is turned against what it closes
 
 class Healer {
@@ -47,8 +48,11 @@ class Healer {
  private:
   void fillSupportedLoops() {
     if (!input_.support.testsAnything()) return;
+    const std::vector<Index> room = trianglesAround();
     for (const std::vector<Index>& loop : mesh_.borderLoopEdges()) {
       if (static_cast<int>(loop.size()) > parameters_.fill_supported_edges) continue;
+      const double disc = kDisc * static_cast<double>(loop.size()) * static_cast<double>(loop.size());
+      if (disc > room[HalfEdgeMesh::triangleOf(loop[0])]) continue;
       context_.checkCancelled();
       std::vector<Index> vertices;
       for (const Index h : loop) vertices.push_back(mesh_.origin(h));
@@ -59,6 +63,18 @@ class Healer {
       };
       if (repair_.attempt(distinct(std::move(vertices)), fill, closes)) ++statistics_.filled_loops;
     }
+  }
+
+  // Of every triangle, how many its component has.
+  std::vector<Index> trianglesAround() const {
+    Index count = 0;
+    std::vector<Index> component = mesh_.components(&count);
+    std::vector<Index> size(static_cast<std::size_t>(count), 0);
+    for (const Index c : component) {
+      if (c != kNone) ++size[c];
+    }
+    for (Index& c : component) c = c == kNone ? 0 : size[c];
+    return component;
   }
 
   // Whether the cloud has points near all of the fill, and the fill goes on with the surface around it. The

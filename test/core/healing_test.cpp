@@ -174,7 +174,7 @@ TEST(Healing, KeepsThinHandles) {
 }
 
 TEST(Healing, FillsGapsOnlyOverTheCloud) {
-  constexpr Index kSide = 12;
+  constexpr Index kSide = 16;
   test::Soup sheet = test::grid(kSide, kSide);
   for (Index v = 0; v < sheet.vertexCount(); ++v)
     sheet.vertices[v] = Vec3(v / (kSide + 1), v % (kSide + 1), 0);
@@ -187,8 +187,8 @@ TEST(Healing, FillsGapsOnlyOverTheCloud) {
   const std::vector<double> spacing(sheet.vertices.size(), 0.25);
   for (const double hole : {0.0, 0.7, 1.2}) {  // radius: none, within the reach of 3.3 spacings, beyond
     Points cloud;
-    for (int x = 0; x <= 48; ++x) {
-      for (int y = 0; y <= 48; ++y) {
+    for (int x = 0; x <= 64; ++x) {
+      for (int y = 0; y <= 64; ++y) {
         const Vec3 p(0.25 * x, 0.25 * y, 0);
         if ((p - Vec3(5, 5, 0)).norm() >= hole) cloud.push_back(p);
       }
