@@ -56,7 +56,6 @@ class Soup {
  public:
   Soup(Index vertices, std::vector<Triangle> faces) : vertices_(vertices), faces_(std::move(faces)) {
     sortHalfEdges();
-    beginEdges();
   }
 
   Index vertexCount() const { return vertices_; }
@@ -82,22 +81,25 @@ class Soup {
 
   /// By (lower end, higher end, half-edge): counted into one bucket per lower end, each bucket then sorted.
   void sortHalfEdges() {
+    struct Item {
+      Index high, half_edge;
+      bool operator<(const Item& other) const {
+        return high != other.high ? high < other.high : half_edge < other.half_edge;
+      }
+    };
     std::vector<Index> bucket(static_cast<std::size_t>(vertices_) + 1, 0);
     for (Index h = 0; h < halfEdgeCount(); ++h) ++bucket[low(h) + 1];
     std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-    sorted_.resize(halfEdgeCount());
+    std::vector<Item> items(static_cast<std::size_t>(halfEdgeCount()));
     std::vector<Index> place(bucket.begin(), bucket.end() - 1);
-    for (Index h = 0; h < halfEdgeCount(); ++h) sorted_[place[low(h)]++] = h;
-    for (Index v = 0; v < vertices_; ++v)
-      std::sort(sorted_.begin() + bucket[v], sorted_.begin() + bucket[v + 1],
-                [&](Index a, Index b) { return high(a) != high(b) ? high(a) < high(b) : a < b; });
-  }
-
-  void beginEdges() {
-    for (Index i = 0; i < halfEdgeCount(); ++i) {
-      const bool same =
-          i > 0 && low(sorted_[i]) == low(sorted_[i - 1]) && high(sorted_[i]) == high(sorted_[i - 1]);
-      if (!same) begin_.push_back(i);
+    for (Index h = 0; h < halfEdgeCount(); ++h) items[place[low(h)]++] = {high(h), h};
+    sorted_.resize(items.size());
+    for (Index v = 0; v < vertices_; ++v) {
+      std::sort(items.begin() + bucket[v], items.begin() + bucket[v + 1]);
+      for (Index i = bucket[v]; i < bucket[v + 1]; ++i) {
+        sorted_[i] = items[i].half_edge;
+        if (i == bucket[v] || items[i].high != items[i - 1].high) begin_.push_back(i);
+      }
     }
     begin_.push_back(halfEdgeCount());
   }

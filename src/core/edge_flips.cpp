@@ -6,8 +6,8 @@
 #include "edge_flips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 
 #include "overlap_tests.h"
 
@@ -75,10 +75,8 @@ bool isConvexAndUpright(const Quad& q) {
   return unitNormal(q.x, q.w, q.u).dot(mean) >= kMayTurn && unitNormal(q.w, q.x, q.v).dot(mean) >= kMayTurn;
 }
 
-bool touchesCrease(const HalfEdgeMesh& mesh, const std::vector<VertexKind>& kinds, Index h) {
-  const Index corners[] = {mesh.origin(h), mesh.target(h), mesh.opposite(h), mesh.opposite(mesh.twin(h))};
-  return std::any_of(std::begin(corners), std::end(corners),
-                     [&](Index v) { return kinds[v] == VertexKind::Crease; });
+bool touchesCrease(const std::vector<VertexKind>& kinds, const std::array<Index, 4>& corners) {
+  return std::any_of(corners.begin(), corners.end(), [&](Index v) { return kinds[v] == VertexKind::Crease; });
 }
 
 bool staysFlat(const Quad& q) {
@@ -98,22 +96,43 @@ bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index 
   return keepsFan(mesh, mesh.origin(h)) && keepsFan(mesh, mesh.target(h));
 }
 
+// Whether an edge may look different from when it was last left as it is: all that decides about it hangs on
+// the triangles around the four corners of its quad.
+class Disturbed {
+ public:
+  explicit Disturbed(Index vertices) : round_(static_cast<std::size_t>(vertices), -1) {}
+
+  bool any(const std::array<Index, 4>& corners, int round) const {
+    return std::any_of(corners.begin(), corners.end(), [&](Index v) { return round_[v] + 1 >= round; });
+  }
+  void note(const std::array<Index, 4>& corners, int round) {
+    for (const Index v : corners) round_[v] = round;
+  }
+
+ private:
+  std::vector<int> round_;  // of the last flip at every vertex
+};
+
 }  // namespace
 
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
                 const std::vector<VertexKind>* kinds, std::vector<FlippedPair>* flips) {
   if (rule == FlipRule::NoFlips) return 0;
   Index total = 0;
+  Disturbed disturbed(mesh.vertexCount());
   for (int round = 0; round < kRounds; ++round) {
     Index flipped = 0;
     for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
       const Index g = mesh.alive(HalfEdgeMesh::triangleOf(h)) ? mesh.twin(h) : kNone;
       if (g == kNone || g < h) continue;
-      const Quad q{position[mesh.origin(h)], position[mesh.target(h)], position[mesh.opposite(h)],
-                   position[mesh.opposite(g)]};
-      if (kinds && touchesCrease(mesh, *kinds, h) && !staysFlat(q)) continue;
+      const std::array<Index, 4> corners = {mesh.origin(h), mesh.target(h), mesh.opposite(h),
+                                            mesh.opposite(g)};
+      if (!disturbed.any(corners, round)) continue;
+      const Quad q{position[corners[0]], position[corners[1]], position[corners[2]], position[corners[3]]};
+      if (kinds && touchesCrease(*kinds, corners) && !staysFlat(q)) continue;
       if (!isBetter(q, rule) || !mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
       ++flipped;
+      disturbed.note(corners, round);
       if (flips) flips->push_back({HalfEdgeMesh::triangleOf(h), HalfEdgeMesh::triangleOf(g)});
     }
     total += flipped;

@@ -385,11 +385,9 @@ bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeM
   std::string fault;
   for (std::size_t i = 0; i < triangles.size() && fault.empty(); ++i) {
     fault = cornerFault(triangles[i], vertices);
-    if (fault.empty()) fault = edgeFault(built, triangles[i]);
-    if (fault.empty())
-      built.addTriangle(triangles[i][0], triangles[i][1], triangles[i][2]);
-    else
-      fault = "triangle " + std::to_string(i) + " " + fault;
+    if (fault.empty() && built.addTriangle(triangles[i][0], triangles[i][1], triangles[i][2]) == kNone)
+      fault = edgeFault(built, triangles[i]);
+    if (!fault.empty()) fault = "triangle " + std::to_string(i) + " " + fault;
   }
   if (why) *why = fault;
   if (fault.empty()) mesh = std::move(built);

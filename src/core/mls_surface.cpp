@@ -117,6 +117,20 @@ Eigen::Matrix<double, kTerms, 1> basis(double u, double v) {
   return b;
 }
 
+// Adds a b^T, of whose upper triangle the decomposition reads nothing; in steps of two columns, as the rest
+// of each is added two numbers at a time.
+template <int kTerms>
+void addLower(const Eigen::Matrix<double, kTerms, 1>& a, const Eigen::Matrix<double, kTerms, 1>& b,
+              Eigen::Matrix<double, kTerms, kTerms>& sum) {
+  if constexpr (kTerms == 6) {
+    sum.template block<6, 2>(0, 0).noalias() += a * b.template head<2>().transpose();
+    sum.template block<4, 2>(2, 2).noalias() += a.template tail<4>() * b.template segment<2>(2).transpose();
+    sum.template block<2, 2>(4, 4).noalias() += a.template tail<2>() * b.template tail<2>().transpose();
+  } else {
+    sum.noalias() += a * b.transpose();
+  }
+}
+
 // Coefficients of the height over the frame, in units of the support; those beyond the degree are 0.
 struct Height {
   Eigen::Matrix<double, 10, 1> g = Eigen::Matrix<double, 10, 1>::Zero();
@@ -142,7 +156,7 @@ Height fitHeight(const std::vector<Vec3>& points, const Vec3& center, const Fram
     const Vec3 local = frame.axes.transpose() * (points[around.index[i]] - center) / support;
     const Vector b = basis<kTerms>(local[1], local[2]);
     const Vector weighted = around.weight[i] * b;
-    normal_matrix.noalias() += weighted * b.transpose();
+    addLower(weighted, b, normal_matrix);
     right += local[0] * weighted;
   }
   const double ridge = 1e-10 * normal_matrix(0, 0);
