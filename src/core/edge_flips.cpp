@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "overlap_tests.h"
+#include "patch_edges.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -112,6 +113,7 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
       const Quad q{position[mesh.origin(h)], position[mesh.target(h)], position[mesh.opposite(h)],
                    position[mesh.opposite(g)]};
       if (kinds && touchesCrease(mesh, *kinds, h) && !staysFlat(q)) continue;
+      if (kinds && !PatchEdges(mesh, *kinds).mayFlip(h)) continue;
       if (!isBetter(q, rule) || !mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
       ++flipped;
       if (flips) flips->push_back({HalfEdgeMesh::triangleOf(h), HalfEdgeMesh::triangleOf(g)});
