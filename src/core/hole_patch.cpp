@@ -17,7 +17,7 @@ namespace {
 constexpr int kFairings = 2;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kShellGaps[] = {1, 0.5, 0.25, 0.1, 0.03, 0.01};  // edge lengths between a sheet and its back
-constexpr double kLifts[] = {0.5, 1, 2, 4, 8, 0.15};  // edge lengths that a lifted patch leaves its rim by
+constexpr double kLifts[] = {0.5, 1, 2, 4, 8, 0.15};  // edge lengths that a cushion rises next to its rim
 
 class PatchMaker {
  public:
@@ -52,7 +52,7 @@ class PatchMaker {
     const bool fits = addShell(mesh_, position_, loop);
     end();
     if (!fits) return;
-    depths();
+    findSources();
     const std::vector<Vec3> normal = normals();
     const std::vector<Vec3> flat = own();
     for (const double gap : kShellGaps) {
@@ -90,13 +90,16 @@ class PatchMaker {
   // cushion, by so much at each of its vertices.
   void addLiftedShapes(const std::vector<Vec3>& flat) {
     put(flat);
-    const std::vector<Index> depth = depths();
+    findSources();
+    const std::vector<double> height = cushion(mesh_, position_, patch_.first_vertex);
     const std::vector<Vec3> normal = outerSide();
+    double edge = 0;
+    for (Index v = patch_.first_vertex; v < patch_.end_vertex; ++v) edge += meanEdge(v);
+    edge /= static_cast<double>(flat.size());
     for (const double lift : kLifts) {
       std::vector<Vec3> lifted = flat;
       for (std::size_t i = 0; i < flat.size(); ++i) {
-        const double edge = meanEdge(patch_.first_vertex + static_cast<Index>(i));
-        lifted[i] += lift * edge * std::sqrt(static_cast<double>(depth[i])) * normal[i];
+        lifted[i] += lift * edge * height[i] * normal[i];
       }
       addShape(lifted);
     }
@@ -168,10 +171,9 @@ class PatchMaker {
     return sum / mesh_.degree(vertex);
   }
 
-  // Edges between each of the patch's vertices and its rim; notes where each of those ways ends.
-  std::vector<Index> depths() {
+  // Spreads from the rim over the patch.
+  void findSources() {
     const auto count = static_cast<std::size_t>(patch_.end_vertex - patch_.first_vertex);
-    std::vector<Index> depth(count, 0);
     patch_.source.assign(count, kNone);
     std::vector<Index> reached = patch_.rim;
     for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -180,11 +182,9 @@ class PatchMaker {
         const Index next = mesh_.target(h) - patch_.first_vertex;
         if (next < 0 || patch_.source[next] != kNone) continue;
         patch_.source[next] = own < 0 ? v : patch_.source[own];
-        depth[next] = own < 0 ? 1 : depth[own] + 1;
         reached.push_back(mesh_.target(h));
       }
     }
-    return depth;
   }
 
   const PointSet& points_;

@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "mlsmesh/core/failure.h"
 
@@ -61,8 +62,10 @@ class Equations {
     add(vertex, mesh_.degree(vertex));
   }
 
+  Index size() const { return mesh_.vertexCount() - first_; }
+
   Sparse matrix() const {
-    Sparse matrix(static_cast<Eigen::Index>(right_.size()), mesh_.vertexCount() - first_);
+    Sparse matrix(static_cast<Eigen::Index>(right_.size()), size());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     return matrix;
   }
@@ -100,6 +103,26 @@ std::vector<Vec3> membrane(const HalfEdgeMesh& mesh, const std::vector<Vec3>& po
   Equations equations(mesh, points, first_vertex);
   for (Index v = first_vertex; v < mesh.vertexCount(); ++v) equations.addMeanOfNeighbors(v);
   return solve(equations.matrix(), equations.right());
+}
+
+std::vector<double> cushion(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex) {
+  Equations equations(mesh, points, first_vertex);
+  for (Index v = first_vertex; v < mesh.vertexCount(); ++v) equations.addMeanOfNeighbors(v);
+  const std::vector<Vec3> load = solve(equations.matrix(), Columns::Ones(equations.size(), 3));
+  std::vector<double> height(load.size());
+  double beside_rim = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    height[i] = std::sqrt(load[i].x());
+    const Index v = first_vertex + static_cast<Index>(i);
+    for (Index h = mesh.firstOutgoing(v); h != kNone; h = mesh.nextOutgoing(h)) {
+      if (mesh.target(h) >= first_vertex) continue;
+      beside_rim += height[i];
+      ++count;
+    }
+  }
+  for (double& h : height) h *= count / beside_rim;
+  return height;
 }
 
 std::vector<Vec3> fairSurface(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex,
