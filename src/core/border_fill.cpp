@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // This work is based on G. Barequet, M. Sharir, "Filling gaps in the boundary of a polyhedron", 1995, and P.
-// Liepa, "Filling holes in meshes", SGP 2003. Departure: only loops that are small, or over points of the
-// cloud, are filled here.
+// Liepa, "Filling holes in meshes", SGP 2003. Departure: only small loops are filled here.
 #include "border_fill.h"
 
 #include <algorithm>

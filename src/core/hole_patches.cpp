@@ -267,6 +267,7 @@ class Closing {
     }
     refined_.level_triangles.back() = std::move(triangles);
     refined_.level_vertices.back() = static_cast<Index>(refined_.position.size());
+    for (auto& known : refined_.level_intersections) known.reset();
     return refined_.level_vertices.back() - first_own_;
   }
 

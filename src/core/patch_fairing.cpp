@@ -21,6 +21,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Entry = Eigen::Triplet<double>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
+constexpr double kOnRim = 2;        // weight of an umbrella on the rim: small patches must not crease there
 constexpr double kShortest = 1e-3;  // of the mean edge at a vertex: a shorter one weighs no more
 
 std::vector<Vec3> solve(const Sparse& matrix, const Columns& right) {
@@ -39,7 +40,7 @@ class Equations {
       : mesh_(mesh), points_(points), first_(first_vertex) {}
 
   // The umbrella at a vertex is what its neighbours' weighted mean differs by from it.
-  void addUmbrella(Index vertex) {
+  void addUmbrella(Index vertex, double weight) {
     double mean = 0;
     for (Index h = mesh_.firstOutgoing(vertex); h != kNone; h = mesh_.nextOutgoing(h)) mean += length(h);
     mean /= mesh_.degree(vertex);
@@ -50,9 +51,9 @@ class Equations {
     // Curvature goes with the umbrella over the squared edge, and a vertex stands for a squared edge of area.
     right_.push_back(Vec3::Zero());
     for (Index h = mesh_.firstOutgoing(vertex); h != kNone; h = mesh_.nextOutgoing(h)) {
-      add(mesh_.target(h), 1 / (std::max(length(h), kShortest * mean) * sum * mean));
+      add(mesh_.target(h), weight / (std::max(length(h), kShortest * mean) * sum * mean));
     }
-    add(vertex, -1 / mean);
+    add(vertex, -weight / mean);
   }
 
   void addMeanOfNeighbors(Index vertex) {
@@ -128,8 +129,8 @@ std::vector<double> cushion(const HalfEdgeMesh& mesh, const std::vector<Vec3>& p
 std::vector<Vec3> fairSurface(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex,
                               const std::vector<Index>& rim) {
   Equations equations(mesh, points, first_vertex);
-  for (Index v = first_vertex; v < mesh.vertexCount(); ++v) equations.addUmbrella(v);
-  for (const Index v : rim) equations.addUmbrella(v);
+  for (Index v = first_vertex; v < mesh.vertexCount(); ++v) equations.addUmbrella(v, 1);
+  for (const Index v : rim) equations.addUmbrella(v, kOnRim);
   const Sparse umbrellas = equations.matrix();
   const Sparse normal_matrix = umbrellas.transpose() * umbrellas;
   return solve(normal_matrix, umbrellas.transpose() * equations.right());

@@ -16,8 +16,8 @@ std::vector<Vec3> membrane(const HalfEdgeMesh& mesh, const std::vector<Vec3>& po
 std::vector<Vec3> fairSurface(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex,
                               const std::vector<Index>& rim);
 
-/// Heights of a cushion on the membrane, 0 on the rim and 1 at the vertices next to it, on average: in the plane,
-/// and on a round patch, half an ellipsoid. About O(n^1.5).
+/// Heights of a cushion on the membrane, 0 on the rim and 1 at the vertices next to it, on average: in the
+/// plane, and on a round patch, half an ellipsoid. About O(n^1.5).
 std::vector<double> cushion(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex);
 
 }  // namespace mlsmesh::core

@@ -38,7 +38,7 @@ class TurnedSheet {
       for (const Index v : mesh.corners(t)) add(v);
     }
     const std::size_t edges = (3 * triangles.size() + borders) / 2;
-    is_disc_ = borders == rim_ && vertex_.size() + triangles.size() == edges + 1;
+    is_disc_ = triangles.size() > 1 && borders == rim_ && vertex_.size() + triangles.size() == edges + 1;
     if (is_disc_) copy(triangles);
   }
 

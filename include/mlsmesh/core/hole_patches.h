@@ -14,13 +14,15 @@ struct PatchCount {
 };
 
 /// Closes every border loop of level 0 (the only one that `mesh` has) that is at most `longest` around with a
-/// patch: vertices as close as those of its surroundings, on a surface that carries on their curvature, or,
-/// where that would meet the mesh, on one nearer to a membrane, at last beside it. No pair of intersecting
-/// triangles comes into being, by the positions as they are stored; a loop for which nothing fits stays. The
-/// vertices of the border stay where they are; patches' own (VertexKind::Patch) come last, and `source` is
-/// told of each a vertex on the border of its hole, the nearest along edges. A component that is closed by it
-/// faces outward, if need be by turning it. `search` is over the cloud. O(n log n) in the mesh, about
-/// O(m^1.5) in the vertices of a patch. Throws Failure(InvalidMesh, Cancelled).
+/// patch. It has about the edge lengths of its surroundings and lies on a surface that carries on their
+/// shape; where that would meet the mesh, on one nearer to a membrane, or on a cushion that rises off its
+/// rim; and over the only border of a sheet without handles at last on the sheet's back. No pair of
+/// intersecting triangles comes into being, by the positions as they are stored; a loop for which nothing
+/// fits stays. Triangles on a rim that are bent back by more than 80 degrees may be taken off where no patch
+/// fits beside them; all else of the mesh stays as it is. The patches' own vertices (VertexKind::Patch) come
+/// last, and `source` is told of each a vertex on the border of its hole, the nearest along edges. A
+/// component that is closed by it faces outward, if need be by turning it. `search` is over the cloud. O(n
+/// log n) in the mesh, about O(m^1.5) in the vertices of a patch. Throws Failure(InvalidMesh, Cancelled).
 PatchCount closeHoles(const PointSet& points, const NeighborSearch& search, double longest,
                       const Context& context, RefinedMesh& mesh, std::vector<Index>& source);
 
