@@ -68,6 +68,27 @@ class StepRows {
   Step All::*step_;
 };
 
+void addHoles(std::vector<Parameter>& table) {
+  Parameter size;
+  size.name = "hole_size";
+  size.alias = "hole-size";
+  size.help =
+      "holes of at most so many spacings around are closed by patches; 0 = only the gaps that "
+      "triangulation.fill_small_loops closes";
+  size.high = kNoLimit;
+  size.get = [](const All& all) { return all.hole_size; };
+  size.set = [](All& all, double value) { all.hole_size = value; };
+  table.push_back(size);
+  Parameter watertight;
+  watertight.name = "watertight";
+  watertight.help = "all holes are closed by patches, whatever their size";
+  watertight.kind = ParameterKind::Boolean;
+  watertight.high = 1;
+  watertight.get = [](const All& all) { return all.watertight ? 1.0 : 0.0; };
+  watertight.set = [](All& all, double value) { all.watertight = value != 0; };
+  table.push_back(watertight);
+}
+
 void addGeneral(std::vector<Parameter>& table) {
   Parameter reduce;
   reduce.name = "reduce";
@@ -87,6 +108,7 @@ void addGeneral(std::vector<Parameter>& table) {
   least.get = [](const All& all) { return static_cast<double>(all.min_representatives); };
   least.set = [](All& all, double value) { all.min_representatives = static_cast<int>(value); };
   table.push_back(least);
+  addHoles(table);
 }
 
 void addClustering(std::vector<Parameter>& table) {

@@ -43,6 +43,10 @@ po::options_description visibleOptions() {
   add("levels", text("N"),
       "refinement steps (refinement.levels), default 2; there is one mesh more than steps");
   add("all-levels", "also write the mesh of every level: OUTPUT's stem with .L0, .L1, ...");
+  add("hole-size", text("SIZE"),
+      "close holes of at most so many spacings around (hole_size), default 0 = only the gaps of a few edges");
+  add("watertight", text("BOOL")->implicit_value("true"),
+      "close all holes, so that the mesh has no border (watertight)");
   add("no-reduction", "triangulate the input points themselves (reduce = false)");
   add("preset", text("NAME"), "default, paper or printed");
   add("config", text("FILE"), "read 'name = value' lines; what the command line says wins over the file");
@@ -62,6 +66,7 @@ po::options_description allOptions() {
   add("input", po::value<std::string>(), "");
   add("output", po::value<std::string>(), "");
   for (const Parameter& parameter : parameterTable()) {
+    if (options.find_nothrow(parameter.name, false)) continue;
     add(parameter.name.c_str(), po::value<std::string>(), parameter.help.c_str());
   }
   return options;
@@ -88,7 +93,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 }
 
 std::vector<std::string> configNames() {
-  std::vector<std::string> names = {"preset", "levels", "threads", "all-levels", "no-reduction"};
+  std::vector<std::string> names = {"preset", "levels", "threads", "hole-size", "all-levels", "no-reduction"};
   for (const Parameter& parameter : parameterTable()) names.push_back(parameter.name);
   return names;
 }

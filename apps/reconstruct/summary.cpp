@@ -17,8 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 7> kKindNames = {"projected",    "lower_degree", "input_point", "clamped",
-                                                   "fold_guarded", "border",       "crease"};
+/// In the order of core::VertexKind.
+constexpr std::array<const char*, 8> kKindNames = {"projected",    "lower_degree", "input_point", "clamped",
+                                                   "fold_guarded", "border",       "crease",      "patch"};
 
 Json parameterJson(const MultiresolutionParameters& parameters) {
   Json json;
@@ -113,6 +114,15 @@ Json frontJson(const core::FrontStatistics& front) {
   return json;
 }
 
+Json holesJson(const core::PatchCount& patches) {
+  Json json;
+  json["closed"] = patches.closed_loops;
+  json["open"] = patches.open_loops;
+  json["patch_triangles"] = patches.triangles;
+  json["patch_vertices"] = patches.vertices;
+  return json;
+}
+
 double totalSeconds(const std::vector<core::StageTime>& stages) {
   double sum = 0;
   for (const core::StageTime& stage : stages) sum += stage.seconds;
@@ -169,6 +179,7 @@ std::string jsonText(const Options& options, const RunReport& report) {
   json["noise"] = noiseJson(report.result.noise);
   json["representatives"] = report.result.representatives.size();
   json["triangulation"] = frontJson(report.result.front);
+  json["holes"] = holesJson(report.result.patches);
   json["stages"] = Json::array();
   for (const core::StageTime& stage : report.stages) {
     json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
@@ -203,6 +214,11 @@ std::string summaryText(const Options& options, const RunReport& report) {
                     "border loops", "genus", "self-intersections", "file");
   for (core::Index level = 0; level < report.result.mesh.levelCount(); ++level)
     text += levelRow(report, level);
+  if (options.parameters.watertight || options.parameters.hole_size > 0) {
+    const core::PatchCount& patches = report.result.patches;
+    text += formatted("\nholes: %d closed by patches of %d triangles in all, %d stay open\n",
+                      patches.closed_loops, patches.triangles, patches.open_loops);
+  }
   text += formatted("\npeak memory %.0f MB\n", static_cast<double>(peakMemoryBytes()) / (1024 * 1024));
   return text;
 }

@@ -161,7 +161,7 @@ struct RefinementParameters {
   double border_displacement = 0.25;  ///< the same on border edges (along the surface normal only), >= 0
   /// pull a new vertex back where a child turns against its parent, or meets a triangle that it should not
   bool fold_guard = true;
-  double fold_angle = 60.0;           ///< degrees that a child may turn, 0 .. 180
+  double fold_angle = 60.0;  ///< degrees that a child may turn, 0 .. 180
   FlipRule flips = FlipRule::MinAngle;
   bool flip_guard = true;  ///< flips must keep convexity, normals and bend; false: topology alone, as printed
 };
@@ -195,6 +195,10 @@ struct FeatureParameters {
 struct MultiresolutionParameters {
   bool reduce = true;            ///< false: triangulate the input points themselves
   int min_representatives = 50;  ///< clusters shrink until there are so many, down to single points, >= 3
+  /// Holes of at most so many (global) spacings around are closed by patches; 0 = none but the gaps that
+  /// triangulation.fill_* let the front close, >= 0.
+  double hole_size = 0;
+  bool watertight = false;  ///< all holes are closed by patches, whatever their size
   ClusteringParameters clustering;
   FeatureParameters features;
   ProjectionParameters projection;  ///< one Psi for reduction and refinement

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "overlap_tests.h"
+#include "patch_edges.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -130,6 +131,7 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
       if (!disturbed.any(corners, round)) continue;
       const Quad q{position[corners[0]], position[corners[1]], position[corners[2]], position[corners[3]]};
       if (kinds && touchesCrease(*kinds, corners) && !staysFlat(q)) continue;
+      if (kinds && !PatchEdges(mesh, *kinds).mayFlip(h)) continue;
       if (!isBetter(q, rule) || !mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
       ++flipped;
       disturbed.note(corners, round);

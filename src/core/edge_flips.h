@@ -15,7 +15,8 @@ using FlippedPair = std::array<Index, 2>;
 /// of fewer than three triangles. With `guard` also: the two triangles form a convex quad seen along their
 /// mean normal, neither new triangle turns more than 60 degrees from it, and the edge and the four around it
 /// are not bent worse than before (or 15 degrees). If kinds are given, a quad with a crease vertex is flipped
-/// only where its triangles are bent by less than 15 degrees before and after.
+/// only where its triangles are bent by less than 15 degrees before and after, and edges do not cross the
+/// rims of patches.
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
                 const std::vector<VertexKind>* kinds = nullptr, std::vector<FlippedPair>* flips = nullptr);
 

@@ -3,7 +3,8 @@
 // surface approximation", SIBGRAPI 2003, section 2.4. Departures (defaults): an edge is split by the
 // displacement of its midpoint along the normal, because the printed alpha measures the bias of the
 // neighbours' mean, which never vanishes; a new vertex stays within half an edge of its midpoint; on a border
-// it moves along the normal alone, so that loops keep their corners.
+// it moves along the normal alone, so that loops keep their corners. Patches over holes are left as they are,
+// but for their rims, which are refined as borders.
 #include "mlsmesh/core/mls_refinement.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "mlsmesh/core/parallel.h"
 #include "mlsmesh/core/self_intersections.h"
 #include "overlap_tests.h"
+#include "patch_edges.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -46,7 +48,8 @@ class EdgeTest {
  public:
   EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing,
            const RefinementParameters& parameters, const HalfEdgeMesh& mesh,
-           const std::vector<Vec3>& position, const std::vector<Vec3>& normals, const CreaseEdges& creases)
+           const std::vector<Vec3>& position, const std::vector<Vec3>& normals, const CreaseEdges& creases,
+           const PatchEdges& patches)
       : points_(points),
         surface_(surface),
         spacing_(spacing),
@@ -54,14 +57,16 @@ class EdgeTest {
         mesh_(mesh),
         position_(position),
         normals_(normals),
-        creases_(creases) {}
+        creases_(creases),
+        patches_(patches) {}
 
   SplitEdge evaluate(Index half_edge) const {
     SplitEdge edge;
     edge.half_edge = half_edge;
+    if (patches_.isInside(half_edge)) return edge;
     const Index u = mesh_.origin(half_edge), v = mesh_.target(half_edge);
     const Vec3 middle = 0.5 * (position_[u] + position_[v]);
-    if (creases_.isNear(half_edge)) {
+    if (!patches_.isRim(half_edge) && creases_.isNear(half_edge)) {
       evaluateNearCrease(middle, (position_[u] - position_[v]).norm(), edge);
       return edge;
     }
@@ -109,7 +114,7 @@ class EdgeTest {
     Vec3 step = projection.position - middle;
     double limit = parameters_.max_displacement * length;
     edge.kind = projection.kind;
-    if (mesh_.isBorder(edge.half_edge)) {
+    if (mesh_.isBorder(edge.half_edge) || patches_.isRim(edge.half_edge)) {
       step = step.dot(normal) * normal;
       limit = parameters_.border_displacement * length;
       edge.kind = VertexKind::Border;
@@ -138,6 +143,7 @@ class EdgeTest {
   const std::vector<Vec3>& position_;
   const std::vector<Vec3>& normals_;
   const CreaseEdges& creases_;
+  const PatchEdges& patches_;
 };
 
 // Triangles too thin to divide keep their edges whole.
@@ -213,7 +219,9 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   const EdgeNumbers numbers = numberEdges(mesh);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const CreaseEdges creases(features, surface, mesh, refined);
-  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals, creases);
+  const PatchEdges patches(mesh, refined.kind);
+  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals, creases,
+                      patches);
   std::vector<SplitEdge> edges(numbers.first.size());
   parallelBlocks(context, edges.size(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) edges[e] = test.evaluate(numbers.first[e]);

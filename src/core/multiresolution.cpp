@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -296,6 +297,23 @@ void triangulateRepresentatives(const NeighborSearch& search, const Context& con
   if (result.features.any()) turnToSides(context, result);
 }
 
+// Patches over the holes that are to be closed; their vertices have no points.
+void closeHolesOf(const Surroundings& cloud, Context& context, Reconstruction& result) {
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  const double longest =
+      parameters.watertight ? std::numeric_limits<double>::infinity() : parameters.hole_size * result.spacing;
+  std::vector<Index> source;
+  result.patches = closeHoles(cloud.points, cloud.search(), longest, context, result.mesh, source);
+  for (const Index vertex : source) {
+    result.representative_of.push_back(result.representative_of[vertex]);
+    result.clusters.begin.push_back(result.clusters.begin.back());
+  }
+  if (result.patches.open_loops > 0) {
+    context.warnings.push_back(std::to_string(result.patches.open_loops) +
+                               " holes stay open: no patch over them keeps clear of the mesh");
+  }
+}
+
 }  // namespace
 
 Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
@@ -318,6 +336,9 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   reduce(stages, context, *cloud, result);
   stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
              [&] { triangulateRepresentatives(cloud->search(), context, result); });
+  if (parameters.watertight || parameters.hole_size > 0) {
+    stages.run("holes", parameters.reduce ? 0.5 : 0.75, [&] { closeHolesOf(*cloud, context, result); });
+  }
   const RefinementParameters& refinement = result.noise.parameters.refinement;
   const double begin = context.progress.fraction();
   for (int level = 1; level <= refinement.levels; ++level) {

@@ -104,6 +104,7 @@ void check(const RefinementParameters& parameters) {
 
 void check(const MultiresolutionParameters& parameters) {
   checkAtLeast("min_representatives", parameters.min_representatives, 3);
+  checkAtLeast("hole_size", parameters.hole_size, 0);
   check(parameters.clustering);
   check(parameters.features);
   check(parameters.projection);

@@ -203,6 +203,40 @@ TEST_F(Reconstruct, Json) {
   EXPECT_TRUE(json["levels"][0]["file"].is_null());
 }
 
+TEST_F(Reconstruct, ClosesHolesAndSaysSo) {
+  std::string bowl, row;
+  std::istringstream rows(sphereXyz(kCount));
+  while (std::getline(rows, row)) {
+    double x = 0, y = 0, z = 1;
+    char comma = 0;
+    std::istringstream(row) >> x >> comma >> y >> comma >> z;
+    if (z < 0.7) bowl += row + "\n";
+  }
+  const std::string input = folder_.write("bowl.xyz", bowl);
+  const auto run_with = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {input, folder_.file("out.ply"), "--json", folder_.file("r.json")});
+    return runWell(options);
+  };
+  EXPECT_EQ(run_with({}).find("holes:"), std::string::npos);
+  EXPECT_EQ(readJson("r.json")["levels"][2]["border_loops"], 1);
+  EXPECT_EQ(readJson("r.json")["holes"]["closed"], 0);
+  const std::vector<std::vector<std::string>> ways = {
+      {"--watertight"}, {"--watertight=true"}, {"--hole-size", "1000"}, {"-hole_size=1000"}};
+  for (const std::vector<std::string>& options : ways) {
+    EXPECT_NE(run_with(options).find("holes: 1 closed"), std::string::npos) << options.front();
+    const Json json = readJson("r.json");
+    EXPECT_EQ(json["holes"]["closed"], 1);
+    EXPECT_EQ(json["holes"]["open"], 0);
+    for (const Json& level : json["levels"]) {
+      EXPECT_EQ(level["border_loops"], 0);
+      EXPECT_EQ(level["vertex_kinds"]["patch"], json["holes"]["patch_vertices"]);
+    }
+    EXPECT_GT(json["holes"]["patch_vertices"], 0);
+  }
+  run_with({"--hole-size", "1"});
+  EXPECT_EQ(readJson("r.json")["levels"][0]["border_loops"], 1);
+}
+
 TEST_F(Reconstruct, CommandLineOverConfigOverPreset) {
   const std::string input = sphere();
   const std::string config = folder_.write(
@@ -261,8 +295,9 @@ TEST_F(Reconstruct, HelpListsEveryParameter) {
   for (const apps::Parameter& parameter : apps::parameterTable()) {
     EXPECT_NE(help.find("--" + parameter.name + " "), std::string::npos) << parameter.name;
   }
-  for (const char* option : {"--levels", "--all-levels", "--no-reduction", "--preset", "--config",
-                             "--threads", "--quiet", "--json", "--version", "--list-parameters"}) {
+  for (const char* option :
+       {"--levels", "--hole-size", "--watertight", "--all-levels", "--no-reduction", "--preset", "--config",
+        "--threads", "--quiet", "--json", "--version", "--list-parameters"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
   EXPECT_EQ(runWell({"-h"}), help);

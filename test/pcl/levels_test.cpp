@@ -275,6 +275,45 @@ TEST(MlsMultiresolution, AnOpenCylinderKeepsItsTwoBordersAtEveryLevel) {
   }
 }
 
+TEST(MlsMultiresolution, PatchesOverHolesAreColouredAsTheirSurroundings) {
+  // Red above, blue below, and open at both poles.
+  pcl::PointCloud<pcl::PointXYZRGB>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZRGB>);
+  for (const core::Vec3& p : spherePoints(6000)) {
+    if (std::abs(p.z()) > 0.9) continue;
+    pcl::PointXYZRGB point;
+    point.getVector3fMap() = p.cast<float>();
+    point.r = p.z() > 0 ? 200 : 0;
+    point.b = p.z() > 0 ? 0 : 200;
+    cloud->push_back(point);
+  }
+  MlsMultiresolution<pcl::PointXYZRGB> step;
+  step.parameters().watertight = true;
+  step.setInputCloud(cloud);
+  pcl::PointCloud<pcl::PointXYZRGB> points;
+  std::vector<pcl::Vertices> polygons;
+  step.reconstruct(points, polygons);
+  ASSERT_TRUE(step.status().ok()) << step.status().message;
+  EXPECT_EQ(step.reports().back().border_loops, 0);
+  const auto& kinds = step.reconstruction().mesh.kind;
+  int above = 0, below = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (kinds[v] != core::VertexKind::Patch) continue;
+    ++(points[v].z > 0 ? above : below);
+    EXPECT_EQ(points[v].r, points[v].z > 0 ? 200 : 0);
+    EXPECT_EQ(points[v].b, points[v].z > 0 ? 0 : 200);
+  }
+  EXPECT_GT(above, 3);
+  EXPECT_GT(below, 3);
+  pcl::PolygonMesh mesh;
+  step.reconstruct(mesh);
+  pcl::PointCloud<pcl::PointNormal> attributes;
+  pcl::fromPCLPointCloud2(mesh.cloud, attributes);
+  for (const pcl::PointNormal& p : attributes) {
+    EXPECT_NEAR(p.getNormalVector3fMap().norm(), 1, 1e-4);
+    EXPECT_TRUE(p.curvature >= 0 && p.curvature < 0.34f) << p.curvature;
+  }
+}
+
 TEST(MlsMultiresolution, EveryVerbGivesTheSameMesh) {
   MlsMultiresolution<pcl::PointNormal> step;
   step.setInputCloud(cloudOf<pcl::PointNormal>(spherePoints(1000)));

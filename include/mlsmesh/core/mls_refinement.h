@@ -29,7 +29,8 @@ struct RefinedMesh {
 
 /// Step 4: adds one level to `mesh`, whose finest level must be an oriented 2-manifold. `spacing` is the
 /// cloud's. The vertices of the level before stay where they are. Near sharp edges (features), edges are
-/// refined on their side of the surface, and those along one where the sides meet. Throws
+/// refined on their side of the surface, and those along one where the sides meet. Edges on patches
+/// (VertexKind::Patch) are left whole, those on their rims treated as border edges. Throws
 /// Failure(InvalidMesh, Cancelled).
 void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
               const RefinementParameters& parameters, const Context& context, RefinedMesh& mesh,

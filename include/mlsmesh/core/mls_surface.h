@@ -15,6 +15,7 @@ enum class VertexKind : std::uint8_t {
   FoldGuarded,  ///< pulled towards the edge's midpoint, or onto it, to keep the mesh from folding
   Border,       ///< on a border edge: only the part along the normal of the projection was used
   Crease,       ///< on a sharp edge: where the surfaces of its sides meet
+  Patch,        ///< on a patch over a hole, where there are no points
 };
 
 /// Psi(x) and what was learnt on the way.

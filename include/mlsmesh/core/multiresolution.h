@@ -6,6 +6,7 @@
 
 #include "mlsmesh/core/advancing_front.h"
 #include "mlsmesh/core/features.h"
+#include "mlsmesh/core/hole_patches.h"
 #include "mlsmesh/core/mls_reduction.h"
 #include "mlsmesh/core/mls_refinement.h"
 #include "mlsmesh/core/neighbor_search.h"
@@ -24,16 +25,18 @@ struct Reconstruction {
   PointSet points;
   double spacing = 0;     ///< of the cloud
   NoiseAdaptation noise;  ///< what was estimated and what it changed
-  IndexLists clusters;    ///< members (points) of each level-0 vertex's cluster
+  IndexLists clusters;    ///< members (points) of each level-0 vertex's cluster; none on patches
   Features features;      ///< sharp edges of the cloud
   Representatives representatives;
-  RefinedMesh mesh;                      ///< every vertex of a level is used by one of its triangles
-  std::vector<Index> representative_of;  ///< representative of each level-0 vertex
+  RefinedMesh mesh;  ///< every vertex of a level is used by one of its triangles
+  /// representative of each level-0 vertex; of one on a patch, that of the vertex nearest on its rim
+  std::vector<Index> representative_of;
   Index outliers = 0;  ///< points of the set in clusters that were dropped because they belong to no surface
   FrontStatistics front;
+  PatchCount patches;               ///< over holes, if any were to be closed
   std::vector<MeshReport> reports;  ///< one a level
-  /// search, noise, denoising (where it was needed), reduction, outliers, features, triangulation, refinement
-  /// 1 .. n, report
+  /// search, noise, denoising (where it was needed), reduction, outliers, features, triangulation, holes
+  /// (where they are to be closed), refinement 1 .. n, report
   std::vector<StageTime> stages;
 };
 
