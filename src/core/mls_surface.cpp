@@ -362,6 +362,7 @@ bool MlsSurface::isStray(Index point, double distance) const {
   Neighborhood around;
   findNeighbors(search_, x, parameters_, around);
   forget(point, around);
+  if (around.count < kLeastNeighbors) return false;
   Fit fit;
   double support = kSupport * localSpacing(around);
   weigh(points_, x, support, around);

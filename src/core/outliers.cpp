@@ -55,8 +55,9 @@ bool isOff(const Representatives& all, const NeighborTable& neighbors, Index i) 
 
 // A place far sparser than the cloud usually is, whose points spread in all directions: it links nothing.
 bool isAfloat(const Representatives& all, double usual_spacing, Index i) {
-  constexpr double kFarSparser = 4.0;
-  return all.spacing[i] > kFarSparser * usual_spacing && all.variation[i] > kScattered;
+  constexpr double kFarSparser = 6.0;
+  constexpr double kEverywhere = 0.15;  // surface variation; edges of sparse sheets have less
+  return all.spacing[i] > kFarSparser * usual_spacing && all.variation[i] > kEverywhere;
 }
 
 // Groups of linked representatives; those off the surface stay alone.
@@ -106,7 +107,7 @@ struct Group {
 std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
                                 IndexLists& clusters, const Context& context) {
   constexpr double kSparse = 3.0;  // local spacing over the main group's
-  if (!parameters.remove) return {};
+  if (!parameters.remove || representatives.size() == 0) return {};
   const Index count = representatives.size();
   Groups links = linkedGroups(parameters, representatives, context);
   std::vector<Group> groups(static_cast<std::size_t>(count));
