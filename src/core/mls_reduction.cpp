@@ -103,6 +103,15 @@ Projection creaseRepresentative(const MlsSurface& surface, const CreaseVertex& v
   return projection;
 }
 
+void store(const Projection& projection, const PointSet& points, std::size_t i, Representatives& all) {
+  all.position[i] = points.stored(projection.position);
+  all.normal[i] = projection.normal;
+  all.variation[i] = projection.variation;
+  all.spacing[i] = projection.spacing;
+  all.nearest[i] = projection.nearest;
+  all.kind[i] = projection.kind;
+}
+
 // Equal positions, first cluster of each group -> kNone, the others -> the first.
 std::vector<Index> coincident(const std::vector<Vec3>& position) {
   std::vector<Index> order(position.size());
@@ -218,13 +227,7 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   };
   parallelBlocks(context, count, 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Projection projection = make(static_cast<Index>(i));
-      result.position[i] = points.stored(projection.position);
-      result.normal[i] = projection.normal;
-      result.variation[i] = projection.variation;
-      result.spacing[i] = projection.spacing;
-      result.nearest[i] = projection.nearest;
-      result.kind[i] = projection.kind;
+      store(make(static_cast<Index>(i)), points, i, result);
     }
   });
   if (features.any()) {
@@ -233,6 +236,21 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   }
   dropJoined(coincident(result.position), result, clusters);
   return result;
+}
+
+void renewRepresentatives(const std::vector<char>& which, const PointSet& points, const MlsSurface& surface,
+                          const ReductionParameters& parameters, const Context& context,
+                          Representatives& representatives, IndexLists& clusters) {
+  const std::vector<Vec3> none;
+  parallelBlocks(context, which.size(), 1024, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!which[i]) continue;
+      const Index cluster = static_cast<Index>(i);
+      const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
+      store(representativeOf({surface, none, Vec3::Zero()}, shape, parameters), points, i, representatives);
+    }
+  });
+  dropJoined(coincident(representatives.position), representatives, clusters);
 }
 
 void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,

@@ -300,6 +300,30 @@ Projection fitProjection(const std::vector<Vec3>& points, const ProjectionParame
   return result;
 }
 
+void forget(Index point, Neighborhood& around) {
+  int kept = 0;
+  for (int i = 0; i < around.count; ++i) {
+    around.index[kept] = around.index[i];
+    around.squared_distance[kept] = around.squared_distance[i];
+    if (around.index[i] != point) ++kept;
+  }
+  around.count = kept;
+}
+
+// Keeps the neighbours that the fit misses by `limit` at most.
+void keepWithin(const std::vector<Vec3>& points, double limit, const Fit& fit, double support,
+                Neighborhood& around) {
+  int kept = 0;
+  for (int i = 0; i < around.count; ++i) {
+    const bool near = std::abs(miss(points, fit, support, around, i)) <= limit;
+    around.index[kept] = around.index[i];
+    around.squared_distance[kept] = around.squared_distance[i];
+    around.weight[kept] = around.weight[i];
+    if (near) ++kept;
+  }
+  around.count = kept;
+}
+
 // Keeps the first `count` neighbours whose normal is that of the side, or unknown.
 void keepSide(const Vec3& normal, const std::vector<Vec3>& normals, double cone, int count,
               Neighborhood& around) {
@@ -340,27 +364,41 @@ Projection MlsSurface::projectSide(const Vec3& x, int degree, const Vec3& normal
   return fitProjection(points_, parameters_, residual_limit_, x, degree, spacing, around);
 }
 
+// A first plane leads from the point to the place on the surface below it; what counts is the distance from
+// the surface fitted there, once more without the neighbours that it misses most: other strays.
 bool MlsSurface::isStray(Index point, double distance) const {
   constexpr double kResiduals = 6;  // median residuals of the neighbours
   constexpr double kSupport =
       3;  // local spacings: weights nearly even, so that strays do not vouch for each other
+  constexpr double kClear = 0.5;  // share of the distance that even a plane bent by strays leaves
+  constexpr int kCompany = 2;     // points nearer than the surface: other strays; more are a part of it
   const Vec3& x = points_[point];
   Neighborhood around;
   findNeighbors(search_, x, parameters_, around);
-  int kept = 0;
-  for (int i = 0; i < around.count; ++i) {
-    around.index[kept] = around.index[i];
-    around.squared_distance[kept] = around.squared_distance[i];
-    if (around.index[i] != point) ++kept;
-  }
-  around.count = kept;
-  const double spacing = localSpacing(around);
-  const double support = kSupport * spacing;
-  weigh(points_, x, support, around);
+  forget(point, around);
+  if (around.count < kLeastNeighbors) return false;
   Fit fit;
+  double support = kSupport * localSpacing(around);
+  weigh(points_, x, support, around);
   fitInOneStep(points_, x, 1, support, around, fit);
-  const double offset = std::abs(fit.height.g[0]) * support;
-  return offset > distance * spacing && offset > kResiduals * medianResidual(points_, fit, support, around);
+  if (std::abs(fit.height.g[0]) * kSupport < kClear * distance) return false;
+  const Vec3 foot = x + fit.height.g[0] * support * fit.frame.normal();
+  const Neighborhood around_point = around;
+
+  findNeighbors(search_, foot, parameters_, around);
+  forget(point, around);
+  const double spacing = localSpacing(around);
+  support = kSupport * spacing;
+  weigh(points_, foot, support, around);
+  fitInOneStep(points_, foot, 1, support, around, fit);
+  keepWithin(points_, kResiduals * medianResidual(points_, fit, support, around), fit, support, around);
+  fitInOneStep(points_, foot, std::min(2, parameters_.degree), support, around, fit);
+  const double offset = std::abs((x - foot).dot(fit.frame.normal()) - fit.height.g[0] * support);
+  const auto* const distances = around_point.squared_distance.data();
+  const auto nearer = std::count_if(distances, distances + around_point.count,
+                                    [&](double squared) { return squared < offset * offset; });
+  return offset > distance * spacing && nearer <= kCompany &&
+         offset > kResiduals * medianResidual(points_, fit, support, around);
 }
 
 Vec3 MlsSurface::startFrom(const Vec3& c) const {

@@ -229,7 +229,7 @@ void clusterAndReduce(const Surroundings& cloud, Context& context, Reconstructio
       reducePoints(cloud.points, cloud.surface(), result.clusters, parameters.reduction, context);
 }
 
-// Points that belong to no surface, as far as the first representatives tell.
+// Points that belong to no surface, as far as the representatives tell.
 std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   const OutlierParameters& parameters = result.noise.parameters.outliers;
   if (!parameters.remove) return {};
@@ -239,6 +239,27 @@ std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context,
   found.insert(found.end(), stray.begin(), stray.end());
   std::sort(found.begin(), found.end());
   return found;
+}
+
+// Goes on without the outliers: with new clusters where they are many, with the old ones where a few went.
+void leaveOut(const std::vector<Index>& outliers, Context& context, Surroundings& cloud,
+              Reconstruction& result) {
+  constexpr double kMany = 0.01;  // of the points
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  const bool many = static_cast<double>(outliers.size()) > kMany * cloud.points.size();
+  std::vector<Vec3> positions;
+  for (const Index p : outliers) positions.push_back(cloud.points.position[p]);
+  removePoints(outliers, cloud.points);
+  cloud.renewSearch();
+  renewSurface(result.noise, cloud);
+  if (many) {
+    clusterAndReduce(cloud, context, result);
+    return;
+  }
+  const std::vector<char> touched = forgetMembers(outliers, positions, parameters.projection.neighbors,
+                                                  result.representatives, result.clusters);
+  renewRepresentatives(touched, cloud.points, cloud.surface(), parameters.reduction, context,
+                       result.representatives, result.clusters);
 }
 
 // Looks for sharp edges in a clean cloud, and reduces again where there are some.
@@ -262,15 +283,15 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
   }
   stages.run("reduction", 0.25, [&] { clusterAndReduce(cloud, context, result); });
   stages.run("outliers", 0.3, [&] {
-    constexpr int kRounds = 3;  // what one outlier hid, the next round sees
+    constexpr int kRounds = 3;      // what one outlier hid, the next round sees,
+    constexpr double kFew = 0.001;  // unless they are so few, of the points, that none hides another
     for (int round = 0; round < kRounds; ++round) {
       const std::vector<Index> outliers = outliersOf(cloud, context, result);
       if (outliers.empty()) return;
       result.outliers += static_cast<Index>(outliers.size());
-      removePoints(outliers, cloud.points);
-      cloud.renewSearch();
-      renewSurface(result.noise, cloud);
-      clusterAndReduce(cloud, context, result);
+      const bool few = outliers.size() < kFew * static_cast<double>(cloud.points.size());
+      leaveOut(outliers, context, cloud, result);
+      if (few) break;
     }
     dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
   });

@@ -14,6 +14,7 @@ namespace mlsmesh::core {
 namespace {
 
 constexpr int kNeighbors = 12;
+constexpr double kScattered = 0.1;  // surface variation of points that lie on no surface
 
 class Groups {
  public:
@@ -52,12 +53,21 @@ bool isOff(const Representatives& all, const NeighborTable& neighbors, Index i) 
   return all.spacing[i] > kSparser * median(around);
 }
 
+// A place far sparser than the cloud usually is, whose points spread in all directions: it links nothing.
+bool isAfloat(const Representatives& all, double usual_spacing, Index i) {
+  constexpr double kFarSparser = 6.0;
+  constexpr double kEverywhere = 0.15;  // surface variation; edges of sparse sheets have less
+  return all.spacing[i] > kFarSparser * usual_spacing && all.variation[i] > kEverywhere;
+}
+
 // Groups of linked representatives; those off the surface stay alone.
 Groups linkedGroups(const OutlierParameters& parameters, const Representatives& all, const Context& context) {
   const auto search = makeKdTree(all.position);
   const NeighborTable neighbors = nearestOfAll(all.position, *search, kNeighbors, context);
   std::vector<char> off(all.position.size());
-  for (Index i = 0; i < all.size(); ++i) off[i] = isOff(all, neighbors, i);
+  std::vector<double> spacings = all.spacing;
+  const double usual = median(spacings);
+  for (Index i = 0; i < all.size(); ++i) off[i] = isOff(all, neighbors, i) || isAfloat(all, usual, i);
   Groups groups(all.size());
   for (Index i = 0; i < all.size(); ++i) {
     for (int j = 0; j < neighbors.k && !off[i]; ++j) {
@@ -70,6 +80,22 @@ Groups linkedGroups(const OutlierParameters& parameters, const Representatives& 
   return groups;
 }
 
+// How far a member of a cluster must be from the plane of its representative to be suspect, the cheap test
+// before the fit. A plane that strays have turned, or that was refused, tells nothing.
+double suspectOffset(const Representatives& all, Index cluster) {
+  constexpr double kSuspect = 0.5;  // local spacings
+  constexpr double kUneven = 0.03;  // surface variation
+  const bool vague = all.kind[cluster] == VertexKind::InputPoint || all.variation[cluster] > kUneven;
+  return vague ? 0.0 : kSuspect * all.spacing[cluster];
+}
+
+bool reaches(const NeighborSearch& search, const Vec3& place, double distance) {
+  Index nearest = kNone;
+  double squared_distance = 0;
+  search.nearest(place, 1, &nearest, &squared_distance);
+  return squared_distance <= distance * distance;
+}
+
 struct Group {
   Index points = 0;
   std::vector<double> spacing;
@@ -80,9 +106,8 @@ struct Group {
 
 std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
                                 IndexLists& clusters, const Context& context) {
-  constexpr double kSparse = 3.0;     // local spacing over the main group's
-  constexpr double kScattered = 0.1;  // surface variation of points that lie on no surface
-  if (!parameters.remove) return {};
+  constexpr double kSparse = 3.0;  // local spacing over the main group's
+  if (!parameters.remove || representatives.size() == 0) return {};
   const Index count = representatives.size();
   Groups links = linkedGroups(parameters, representatives, context);
   std::vector<Group> groups(static_cast<std::size_t>(count));
@@ -117,16 +142,15 @@ std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representat
 std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface& surface,
                                const Representatives& representatives, const IndexLists& clusters,
                                const Context& context) {
-  constexpr double kSuspect = 0.5;  // local spacings off the representative's plane
-  constexpr double kStray = 1.25;   // local spacings off the surface of the neighbours
+  constexpr double kStray = 0.75;  // local spacings off the surface of the neighbours
   std::vector<char> stray(points.size(), 0);
   parallelBlocks(
       context, static_cast<std::size_t>(clusters.count()), 512, [&](std::size_t first, std::size_t last) {
         for (Index c = static_cast<Index>(first); c < static_cast<Index>(last); ++c) {
-          const double limit = kSuspect * representatives.spacing[c];
+          const double limit = suspectOffset(representatives, c);
           for (const Index* p = clusters.data(c); p != clusters.data(c) + clusters.size(c); ++p) {
             const double off = (points[*p] - representatives.position[c]).dot(representatives.normal[c]);
-            stray[*p] = std::abs(off) > limit && surface.isStray(*p, kStray);
+            stray[*p] = std::abs(off) >= limit && surface.isStray(*p, kStray);
           }
         }
       });
@@ -135,6 +159,39 @@ std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface
     if (stray[p]) found.push_back(static_cast<Index>(p));
   }
   return found;
+}
+
+std::vector<char> forgetMembers(const std::vector<Index>& removed, const std::vector<Vec3>& removed_position,
+                                int neighbors, Representatives& representatives, IndexLists& clusters) {
+  constexpr double kPi = 3.14159265358979323846;
+  // A fit starts some way from where it lands, and sees as far as its last neighbour.
+  const double kReach = 1.5 * std::sqrt(neighbors / kPi);
+  const auto search = makeKdTree(removed_position);
+  IndexLists left;
+  std::vector<char> keep(static_cast<std::size_t>(clusters.count()));
+  std::vector<char> touched;
+  for (Index c = 0; c < clusters.count(); ++c) {
+    const Index before = static_cast<Index>(left.items.size());
+    for (const Index* p = clusters.data(c); p != clusters.data(c) + clusters.size(c); ++p) {
+      const auto place = std::lower_bound(removed.begin(), removed.end(), *p);
+      if (place == removed.end() || *place != *p) {
+        left.items.push_back(*p - static_cast<Index>(place - removed.begin()));
+      }
+    }
+    const Index now = static_cast<Index>(left.items.size());
+    keep[c] = now > before;
+    if (!keep[c]) continue;
+    left.begin.push_back(now);
+    const bool same = now - before == clusters.size(c);
+    touched.push_back(!same ||
+                      reaches(*search, representatives.position[c], kReach * representatives.spacing[c]));
+  }
+  dropRepresentatives(keep, representatives, clusters);
+  for (Index& p : representatives.nearest) {
+    p -= static_cast<Index>(std::lower_bound(removed.begin(), removed.end(), p) - removed.begin());
+  }
+  clusters = std::move(left);
+  return touched;
 }
 
 }  // namespace mlsmesh::core

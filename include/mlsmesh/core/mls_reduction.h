@@ -28,6 +28,12 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
                              const ReductionParameters& parameters, const Context& context,
                              const Features& features = {});
 
+/// Projects the clusters whose `which` is not 0 again, as reducePoints does without features; the others keep
+/// their representatives.
+void renewRepresentatives(const std::vector<char>& which, const PointSet& points, const MlsSurface& surface,
+                          const ReductionParameters& parameters, const Context& context,
+                          Representatives& representatives, IndexLists& clusters);
+
 /// Drops the representatives whose `keep` is 0, with their clusters.
 void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,
                          IndexLists& clusters);

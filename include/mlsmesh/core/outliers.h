@@ -14,10 +14,17 @@ std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representat
                                 IndexLists& clusters, const Context& context);
 
 /// Points off the surface that their cluster's representative lies on: farther from its tangent plane than
-/// most, and strays by MlsSurface::isStray. Ascending. One pass over the points; a fit for the few that are
-/// suspect.
+/// most, or in a cluster too uneven for that test, and strays by MlsSurface::isStray. Ascending.
+/// One pass over the points; fits for those suspect.
 std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface& surface,
                                const Representatives& representatives, const IndexLists& clusters,
                                const Context& context);
+
+/// Takes the points `removed` (ascending; their positions beside them) out of the clusters and gives the rest
+/// the numbers that they have without these. Clusters left empty go, with their representatives. Returns for
+/// each remaining one whether its fit, of so many neighbours, may have seen a removed point, and so has to be
+/// made again. At least one point must be removed. O(n log r) for r removed points.
+std::vector<char> forgetMembers(const std::vector<Index>& removed, const std::vector<Vec3>& removed_position,
+                                int neighbors, Representatives& representatives, IndexLists& clusters);
 
 }  // namespace mlsmesh::core
