@@ -125,7 +125,7 @@ struct TriangulationParameters {
   /// Over representatives: a triangle needs a point of the cloud within so many local spacings of its
   /// centroid and of the midpoints of its edges, so that openings stay open; 0 = no such test.
   double support_reach = 2.0;
-  double fill_reach = 3.3;  ///< the same for the fill of a loop that lies along the surface
+  double fill_reach = 4.0;  ///< the same for the fill of a loop that lies along the surface
   /// mend what meets itself, cut false handles, fill loops that the cloud supports, take flaps off borders
   bool heal = true;
 };

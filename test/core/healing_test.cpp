@@ -185,7 +185,7 @@ TEST(Healing, FillsGapsOnlyOverTheCloud) {
     while (torn.isUsed(v)) torn.removeTriangle(HalfEdgeMesh::triangleOf(torn.firstOutgoing(v)));
   }
   const std::vector<double> spacing(sheet.vertices.size(), 0.25);
-  for (const double hole : {0.0, 0.7, 1.2}) {  // radius: none, within the reach of 3.3 spacings, beyond
+  for (const double hole : {0.0, 0.7, 1.2}) {  // radius: none, within the reach of 4 spacings, beyond
     Points cloud;
     for (int x = 0; x <= 64; ++x) {
       for (int y = 0; y <= 64; ++y) {
