@@ -299,7 +299,9 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   }
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
   if (parameters.heal) {
-    result.statistics.healing = healMesh(mesh, {points, normals, support}, parameters, context);
+    Healing healing = healMesh(mesh, {points, normals, support}, parameters, context);
+    result.statistics.healing = healing.statistics;
+    result.troubled = std::move(healing.troubled);
     result.statistics.dropped_triangles += trimFlaps(mesh, points, normals);
   }
   orientOutward(points, mesh);

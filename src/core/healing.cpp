@@ -23,7 +23,9 @@ constexpr int kHandleEdges = 14;  // of a walk round a handle that may be false
 constexpr int kHandleRounds = 8;
 constexpr double kAlong = 0.6;  // mean lean of a fill that belongs to the surface
 constexpr double kDisc = 4;  // triangles beside a gap, per squared edge of its loop: ten times those inside
-constexpr double kTurned = 1.3;  // mean lean, side and all, of one that is turned against what it closes
+// Mean lean, side and all, of a fill that is turned against what it closes: the rim of a small sheet has the
+// points of the sheet all around.
+constexpr double kTurned = 1.3;
 
 class Healer {
  public:
@@ -36,13 +38,14 @@ class Healer {
         surgery_(mesh, input.points, context),
         repair_(surgery_) {}
 
-  HealingStatistics run() {
+  Healing run() {
     if (parameters_.fill_small_loops) fillSupportedLoops();
     const bool repaired = repairMeetings();
     const bool cut = cutHandles();
     if ((repaired || cut) && parameters_.fill_small_loops) fillSupportedLoops();
+    statistics_.handles = handleCount();
     statistics_.intersections = static_cast<std::int64_t>(surgery_.pairs().size());
-    return statistics_;
+    return {statistics_, distinct(std::move(troubled_))};
   }
 
  private:
@@ -56,12 +59,22 @@ class Healer {
       context_.checkCancelled();
       std::vector<Index> vertices;
       for (const Index h : loop) vertices.push_back(mesh_.origin(h));
+      vertices = distinct(std::move(vertices));
+      bool is_hole = false;
       const std::size_t mark = surgery_.mark();
-      const auto fill = [&] { return repair_.close(loop) && isSupported(surgery_.addedSince(mark)); };
+      const auto fill = [&] {
+        if (!repair_.close(loop)) return false;
+        const Region added = surgery_.addedSince(mark);
+        is_hole = !isNearCloud(added) || meanLean(added) >= kAlong;
+        return !is_hole && leanFromAround(added) < kTurned;
+      };
       const auto closes = [](const LocalTopology& before, const LocalTopology& after) {
         return after.loops < before.loops;
       };
-      if (repair_.attempt(distinct(std::move(vertices)), fill, closes)) ++statistics_.filled_loops;
+      if (repair_.attempt(vertices, fill, closes))
+        ++statistics_.filled_loops;
+      else if (!is_hole)
+        noteTrouble(vertices);
     }
   }
 
@@ -77,13 +90,14 @@ class Healer {
     return component;
   }
 
-  // Whether the cloud has points near all of the fill, and the fill goes on with the surface around it. The
-  // rim of a small sheet has its own points all around, but what closes it is turned against the sheet.
-  bool isSupported(const Region& fill) const {
-    if (meanLean(fill) >= kAlong || leanFromAround(fill) >= kTurned) return false;
+  bool isNearCloud(const Region& fill) const {
     return std::all_of(fill.begin(), fill.end(), [&](Index t) {
       return input_.support.supports(mesh_.corners(t), parameters_.fill_reach);
     });
+  }
+
+  void noteTrouble(const std::vector<Index>& vertices) {
+    troubled_.insert(troubled_.end(), vertices.begin(), vertices.end());
   }
 
   // As meanLean, with the side on which the triangles around the region lie: 0 .. 2.
@@ -117,7 +131,9 @@ class Healer {
                                      [&](const TrianglePair& pair) { return hopeless.count(pair) == 0; });
       if (next == surgery_.pairs().end()) break;
       const TrianglePair pair = *next;
-      if (repairPlace(placeOf(pair)))
+      const Region place = placeOf(pair);
+      noteTrouble(verticesOf(mesh_, place));
+      if (repairPlace(place))
         ++statistics_.repaired_places;
       else
         hopeless.insert(pair);
@@ -163,18 +179,22 @@ class Healer {
     return false;
   }
 
-  bool hasHandles() const {
+  // The genus of all components, their loops capped.
+  Index handleCount() const {
     Index components = 0;
     mesh_.components(&components);
-    return surgery_.euler() + static_cast<Index>(mesh_.borderLoopEdges().size()) < 2 * components;
+    return components - (surgery_.euler() + static_cast<Index>(mesh_.borderLoopEdges().size())) / 2;
   }
 
   bool cutHandles() {
-    for (int round = 0; round < kHandleRounds && hasHandles(); ++round) {
+    for (int round = 0; round < kHandleRounds && handleCount() > 0; ++round) {
       context_.checkCancelled();
       Index cut = 0;
-      for (const std::vector<Index>& walk : shortHandleLoops(mesh_, input_.points, kHandleEdges))
-        cut += cutAlong(walk) || cutAlong({walk.rbegin(), walk.rend()}) ? 1 : 0;
+      for (const std::vector<Index>& walk : shortHandleLoops(mesh_, input_.points, kHandleEdges)) {
+        if (!cutAlong(walk) && !cutAlong({walk.rbegin(), walk.rend()})) continue;
+        noteTrouble(walk);
+        ++cut;
+      }
       statistics_.cut_handles += cut;
       if (cut == 0) break;
     }
@@ -229,12 +249,13 @@ class Healer {
   MeshSurgery surgery_;
   LocalRepair repair_;
   HealingStatistics statistics_;
+  std::vector<Index> troubled_;
 };
 
 }  // namespace
 
-HealingStatistics healMesh(HalfEdgeMesh& mesh, const HealingInput& input,
-                           const TriangulationParameters& parameters, const Context& context) {
+Healing healMesh(HalfEdgeMesh& mesh, const HealingInput& input, const TriangulationParameters& parameters,
+                 const Context& context) {
   return Healer(mesh, input, parameters, context).run();
 }
 

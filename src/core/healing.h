@@ -13,6 +13,11 @@ struct HealingInput {
   const CloudSupport& support;
 };
 
+struct Healing {
+  HealingStatistics statistics;
+  std::vector<Index> troubled;  ///< vertices where there was something to mend, or still is; ascending
+};
+
 /// Mends a mesh without pinches, place by place; a change that does not help is taken back, and none makes
 /// more border loops, handles or components, but for the last resort. In this order:
 /// - border loops are filled where the cloud has points near all of the fill and the fill meets nothing;
@@ -21,7 +26,7 @@ struct HealingInput {
 /// - handles that a short walk goes round are cut, where the triangles that close the cut lie more along the
 ///   surface than those that went.
 /// O(n log n) to look, and little for each place. Throws Failure(Cancelled).
-HealingStatistics healMesh(HalfEdgeMesh& mesh, const HealingInput& input,
+Healing healMesh(HalfEdgeMesh& mesh, const HealingInput& input,
                            const TriangulationParameters& parameters, const Context& context);
 
 }  // namespace mlsmesh::core

@@ -16,6 +16,7 @@
 #include "mlsmesh/core/parameter_check.h"
 #include "mlsmesh/core/self_intersections.h"
 #include "side_flips.h"
+#include "troubled_places.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -299,8 +300,8 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
   if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
 }
 
-void triangulateRepresentatives(const NeighborSearch& search, const Context& context,
-                                Reconstruction& result) {
+Triangulation triangulateRepresentatives(const NeighborSearch& search, const Context& context,
+                                         const Reconstruction& result) {
   const Representatives& all = result.representatives;
   TriangulationInput input{all.position};
   input.spacing = result.spacing;
@@ -312,7 +313,46 @@ void triangulateRepresentatives(const NeighborSearch& search, const Context& con
   } else {
     input.search = &search;
   }
-  const Triangulation triangulation = triangulate(input, result.noise.parameters.triangulation, context);
+  return triangulate(input, result.noise.parameters.triangulation, context);
+}
+
+// What is left to wish for: fewer are better.
+Index faultsOf(const Triangulation& triangulation) {
+  constexpr Index kHandle = 10;  // as bad as so many troubled vertices
+  const HealingStatistics& healing = *triangulation.statistics.healing;
+  return static_cast<Index>(triangulation.troubled.size()) + healing.opened_places +
+         kHandle * healing.handles;
+}
+
+// Triangulates again, with smaller clusters where there was trouble, as long as that leaves less of it.
+void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstruction& result,
+                          Triangulation& triangulation) {
+  constexpr int kRounds = 2;
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  const bool may_refine = parameters.reduce && parameters.triangulation.heal && !result.features.any() &&
+                          result.noise.passes == 0;
+  for (int round = 0; may_refine && round < kRounds && !triangulation.troubled.empty(); ++round) {
+    const std::vector<char> marked = aroundTrouble(triangulation, result.representatives.size());
+    IndexLists clusters =
+        finerClusters(cloud.points.position, result.clusters, marked, parameters.clustering, context);
+    Representatives representatives =
+        reducePoints(cloud.points, cloud.surface(), clusters, parameters.reduction, context);
+    if (result.noise.drops_crowded) dropCrowded(representatives, clusters, context);
+    std::swap(representatives, result.representatives);
+    std::swap(clusters, result.clusters);
+    Triangulation finer = triangulateRepresentatives(cloud.search(), context, result);
+    if (faultsOf(finer) >= faultsOf(triangulation)) {
+      std::swap(representatives, result.representatives);
+      std::swap(clusters, result.clusters);
+      return;
+    }
+    triangulation = std::move(finer);
+  }
+}
+
+void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& result) {
+  Triangulation triangulation = triangulateRepresentatives(cloud.search(), context, result);
+  refineTroubledPlaces(cloud, context, result, triangulation);
   result.front = triangulation.statistics;
   makeLevelZero(triangulation, result);
   if (result.features.any()) turnToSides(context, result);
@@ -356,7 +396,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   renewSurface(result.noise, *cloud);
   reduce(stages, context, *cloud, result);
   stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
-             [&] { triangulateRepresentatives(cloud->search(), context, result); });
+             [&] { makeLevelZero(*cloud, context, result); });
   if (parameters.watertight || parameters.hole_size > 0) {
     stages.run("holes", parameters.reduce ? 0.5 : 0.75, [&] { closeHolesOf(*cloud, context, result); });
   }

@@ -23,7 +23,7 @@ Healed heal(HalfEdgeMesh& mesh, const Points& points, const Points& normals, con
             const TriangulationParameters& parameters = {}) {
   const Context context;
   Healed healed;
-  healed.statistics = healMesh(mesh, {points, normals, support}, parameters, context);
+  healed.statistics = healMesh(mesh, {points, normals, support}, parameters, context).statistics;
   healed.report = reportMesh(points, mesh.triangles(), context);
   EXPECT_EQ(mesh.validate(), "");
   EXPECT_EQ(healed.report.self_intersections, healed.statistics.intersections);

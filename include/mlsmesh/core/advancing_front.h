@@ -15,6 +15,7 @@ struct HealingStatistics {
   Index repaired_places = 0;       ///< where triangles met that should not, and were made anew
   Index opened_places = 0;         ///< where that did not help, and one of them was taken out
   Index cut_handles = 0;           ///< false ones
+  Index handles = 0;               ///< genus of all components that is left
   Index filled_loops = 0;          ///< where the cloud has points
   std::int64_t intersections = 0;  ///< pairs of triangles that still meet
 };
@@ -47,6 +48,9 @@ struct TriangulationInput {
 struct Triangulation {
   std::vector<Triangle> triangles;  ///< oriented; outward on closed components
   std::vector<Index> duplicate_of;  ///< vertex n + i is a copy of point duplicate_of[i]
+  /// Points, or copies, where the mesh met itself, a false handle was cut, or a loop near the cloud's points
+  /// would not close: they may be too sparse there. Ascending.
+  std::vector<Index> troubled;
   FrontStatistics statistics;
 };
 
