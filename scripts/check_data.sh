@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# check_data.sh [--all]: meshes real clouds from ${MLSMESH_DATA_DIR:-../shared/data} and checks every level: sound, and of
+# check_data.sh [--all]: meshes real clouds from ${MLSMESH_DATA_DIR:-../shared/data} and checks every level: sound, free of self-intersections, and of
 # the topology that data_topology.txt names. --all: also soundness for every other cloud that is there. The program is that of
 # build/release, or of the preset that MLSMESH_PRESET names.
 set -euo pipefail
@@ -45,7 +45,8 @@ check() {
 
 check_soundness() {
   local key good=true
-  for key in nonmanifold_edges nonmanifold_vertices orientation_conflicts degenerate_faces duplicate_faces isolated_vertices; do
+  for key in nonmanifold_edges nonmanifold_vertices orientation_conflicts degenerate_faces duplicate_faces isolated_vertices \
+    self_intersections; do
     check "$key" 0 0 || good=false
   done
   $good
