@@ -48,7 +48,8 @@ class EdgeTest {
  public:
   EdgeTest(const PointSet& points, const MlsSurface& surface, double spacing,
            const RefinementParameters& parameters, const HalfEdgeMesh& mesh,
-           const std::vector<Vec3>& position, const std::vector<Vec3>& normals, const CreaseEdges& creases,
+           const std::vector<Vec3>& position, const std::vector<Vec3>& normals,
+           const std::vector<std::array<Index, 2>>& flat_edges, const CreaseEdges& creases,
            const PatchEdges& patches)
       : points_(points),
         surface_(surface),
@@ -57,14 +58,15 @@ class EdgeTest {
         mesh_(mesh),
         position_(position),
         normals_(normals),
+        flat_edges_(flat_edges),
         creases_(creases),
         patches_(patches) {}
 
   SplitEdge evaluate(Index half_edge) const {
     SplitEdge edge;
     edge.half_edge = half_edge;
-    if (patches_.isInside(half_edge)) return edge;
     const Index u = mesh_.origin(half_edge), v = mesh_.target(half_edge);
+    if (patches_.isInside(half_edge) || isKnownFlat(u, v)) return edge;
     const Vec3 middle = 0.5 * (position_[u] + position_[v]);
     if (!patches_.isRim(half_edge) && creases_.isNear(half_edge)) {
       evaluateNearCrease(middle, (position_[u] - position_[v]).norm(), edge);
@@ -86,6 +88,11 @@ class EdgeTest {
   }
 
  private:
+  bool isKnownFlat(Index u, Index v) const {
+    return std::binary_search(flat_edges_.begin(), flat_edges_.end(),
+                              std::array<Index, 2>{std::min(u, v), std::max(u, v)});
+  }
+
   void evaluateNearCrease(const Vec3& middle, double length, SplitEdge& edge) const {
     Vec3 normal = creases_.meanNormal(edge.half_edge);
     if (normal.isZero()) normal = normalAt(edge.half_edge);
@@ -142,6 +149,7 @@ class EdgeTest {
   const HalfEdgeMesh& mesh_;
   const std::vector<Vec3>& position_;
   const std::vector<Vec3>& normals_;
+  const std::vector<std::array<Index, 2>>& flat_edges_;
   const CreaseEdges& creases_;
   const PatchEdges& patches_;
 };
@@ -157,6 +165,18 @@ void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& positi
     if (std::min({x, y, z}) >= min_ratio * std::max({x, y, z})) continue;
     for (int i = 0; i < 3; ++i) edges[edge_of[3 * t + i]].marked = false;
   }
+}
+
+std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh,
+                                                const std::vector<SplitEdge>& edges) {
+  std::vector<std::array<Index, 2>> unmarked;
+  for (const SplitEdge& edge : edges) {
+    if (edge.marked) continue;
+    const Index u = mesh.origin(edge.half_edge), v = mesh.target(edge.half_edge);
+    unmarked.push_back({std::min(u, v), std::max(u, v)});
+  }
+  std::sort(unmarked.begin(), unmarked.end());
+  return unmarked;
 }
 
 HalfEdgeMesh finestMesh(const RefinedMesh& refined) {
@@ -220,12 +240,13 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const CreaseEdges creases(features, surface, mesh, refined);
   const PatchEdges patches(mesh, refined.kind);
-  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals, creases,
-                      patches);
+  const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals,
+                      refined.flat_edges, creases, patches);
   std::vector<SplitEdge> edges(numbers.first.size());
   parallelBlocks(context, edges.size(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) edges[e] = test.evaluate(numbers.first[e]);
   });
+  std::vector<std::array<Index, 2>> flat_edges = unmarkedEdges(mesh, edges);
 
   const double fold_angle = parameters.fold_guard ? parameters.fold_angle : -1.0;
   std::vector<Triangle> triangles;
@@ -235,6 +256,7 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   } else {
     triangles = splitOneByOne(mesh, refined.position, parameters.min_edge_ratio, fold_angle, points, edges);
   }
+  refined.flat_edges = std::move(flat_edges);
   NewLevel level = newLevel(mesh, edges, std::move(triangles), refined);
   flipEdges(level.flipped, refined.position, parameters.flips, parameters.flip_guard, &refined.kind,
             &level.flips);
