@@ -147,8 +147,8 @@ std::string healingText(const core::FrontStatistics& front) {
   const core::HealingStatistics& healing = *front.healing;
   const core::Index mended = healing.repaired_places + healing.opened_places;
   if (mended + healing.cut_handles + healing.filled_loops == 0) return {};
-  return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n",
-                   mended, healing.opened_places, healing.cut_handles, healing.filled_loops);
+  return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n", mended,
+                   healing.opened_places, healing.cut_handles, healing.filled_loops);
 }
 
 std::string seamText(const core::FrontStatistics& front) {

@@ -80,9 +80,9 @@ bool contradict(const Rim& a, const Rim& b) {
 
 // Which triangles are within kSteps of one. Thin folds and hems have borders that face each other too, but
 // then the mesh leads from one to the other on a short way; around a one-sided surface it is long.
-class Surroundings {
+class Vicinity {
  public:
-  explicit Surroundings(const HalfEdgeMesh& mesh) : mesh_(mesh) {}
+  explicit Vicinity(const HalfEdgeMesh& mesh) : mesh_(mesh) {}
 
   void centreOn(Index triangle) {
     mark_.resize(static_cast<std::size_t>(mesh_.slotCount()), kNone);
@@ -149,15 +149,15 @@ class Seams {
   }
 
   void findSides(const NeighborSearch& search) {
-    Surroundings surroundings(mesh_);
+    Vicinity vicinity(mesh_);
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
       std::vector<Index> across = around(search, i);
       across.erase(std::remove_if(across.begin(), across.end(),
                                   [&](Index j) { return !contradict(rims_[i], rims_[j]); }),
                    across.end());
-      if (!across.empty()) surroundings.centreOn(rims_[i].triangle);
+      if (!across.empty()) vicinity.centreOn(rims_[i].triangle);
       for (const Index j : across) {
-        const Role role = surroundings.contain(rims_[j].triangle) ? kNearSide : kFarSide;
+        const Role role = vicinity.contain(rims_[j].triangle) ? kNearSide : kFarSide;
         role_[i] = std::max(role_[i], role);
         role_[j] = std::max(role_[j], role);
       }
