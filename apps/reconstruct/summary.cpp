@@ -106,6 +106,8 @@ Json frontJson(const core::FrontStatistics& front) {
   Json json;
   json["unused_representatives"] = front.unused_points;
   json["split_vertices"] = front.split_vertices;
+  json["seams"] = front.seams;
+  json["seam_edges"] = front.seam_edges;
   if (!front.healing) return json;
   json["repaired_places"] = front.healing->repaired_places;
   json["opened_places"] = front.healing->opened_places;
@@ -147,6 +149,12 @@ std::string healingText(const core::FrontStatistics& front) {
   if (mended + healing.cut_handles + healing.filled_loops == 0) return {};
   return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n", mended,
                    healing.opened_places, healing.cut_handles, healing.filled_loops);
+}
+
+std::string seamText(const core::FrontStatistics& front) {
+  if (front.seams == 0) return {};
+  return formatted("cut open along %d seams (%d edges), where the orientation does not go on\n", front.seams,
+                   front.seam_edges);
 }
 
 std::string levelRow(const RunReport& report, core::Index level) {
@@ -204,7 +212,7 @@ std::string summaryText(const Options& options, const RunReport& report) {
     if (noise.passes > 0) text += formatted(" (denoised in %d passes)", noise.passes);
   }
   text += formatted(", %d representatives\n", report.result.representatives.size());
-  text += healingText(report.result.front) + "\n";
+  text += healingText(report.result.front) + seamText(report.result.front) + "\n";
   text += formatted("%-16s %9s\n", "stage", "seconds");
   for (const core::StageTime& stage : report.stages) {
     text += formatted("%-16s %9.3f\n", stage.name.c_str(), stage.seconds);

@@ -23,6 +23,7 @@
 #include "mlsmesh/core/neighbor_search.h"
 #include "overlap_tests.h"
 #include "pinches.h"
+#include "seams.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -305,6 +306,9 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
     result.statistics.dropped_triangles += trimFlaps(mesh, points, normals);
   }
   orientOutward(points, mesh);
+  const SeamCount seams = countSeams(mesh, points, normals);
+  result.statistics.seams = seams.seams;
+  result.statistics.seam_edges = seams.edges;
   for (std::size_t p = 0; p < input.points.size(); ++p) {
     result.statistics.unused_points += mesh.isUsed(static_cast<Index>(p)) ? 0 : 1;
   }

@@ -300,6 +300,13 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
   if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
 }
 
+void warnOfSeams(const FrontStatistics& front, Context& context) {
+  if (front.seams == 0) return;
+  context.warnings.push_back("the cloud is one-sided or contradictory: it was cut open along " +
+                             std::to_string(front.seams) + " seams (" + std::to_string(front.seam_edges) +
+                             " edges)");
+}
+
 Triangulation triangulateRepresentatives(const NeighborSearch& search, const Context& context,
                                          const Reconstruction& result) {
   const Representatives& all = result.representatives;
@@ -354,6 +361,7 @@ void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& 
   Triangulation triangulation = triangulateRepresentatives(cloud.search(), context, result);
   refineTroubledPlaces(cloud, context, result, triangulation);
   result.front = triangulation.statistics;
+  warnOfSeams(result.front, context);
   makeLevelZero(triangulation, result);
   if (result.features.any()) turnToSides(context, result);
 }

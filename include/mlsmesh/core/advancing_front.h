@@ -28,6 +28,8 @@ struct FrontStatistics {
   Index dropped_triangles = 0;  ///< removed at pinched vertices, and flaps on borders
   Index split_vertices = 0;     ///< pinched vertices that were duplicated (only if allowed)
   Index unused_points = 0;
+  Index seams = 0;       ///< cuts across which the surface goes on, but its orientation does not
+  Index seam_edges = 0;  ///< border edges along them, on both sides
   std::optional<HealingStatistics> healing;  ///< none if nothing was looked for
 };
 
