@@ -33,7 +33,6 @@ constexpr double kSharp = 0.2;         // quality of a foot that is clearly on a
 constexpr double kLeastSine = 0.05;    // squared sine between two sides that meet
 constexpr double kLeastVolume = 0.15;  // determinant of the normals of three sides that meet
 constexpr int kSharpFeet = 10;
-constexpr double kSharpShare = 0.4;
 constexpr double kLink = 2.0;      // local spacings between linked feet
 constexpr double kSameSide = 0.8;  // cosine of a point's normal with that of the side it belongs to
 constexpr int kLargestSide = 14;
@@ -295,6 +294,10 @@ CreaseFoot footBetween(const Vec3& start, const std::array<Vec3, 3>& side_normal
   return foot;
 }
 
+bool isClearlySharp(const CreaseFoot& foot) {
+  return foot.sides > 0 && foot.quality < kSharp;
+}
+
 std::vector<char> keptFeet(const std::vector<Index>& points, const std::vector<CreaseFoot>& feet,
                            const SparseNeighbors& neighbors) {
   std::vector<Index> of_slot(static_cast<std::size_t>(neighbors.count()), kNone);
@@ -317,7 +320,7 @@ std::vector<char> keptFeet(const std::vector<Index>& points, const std::vector<C
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Index root = rootOf(parent, static_cast<Index>(i));
     all[root] += feet[i].sides > 0;
-    sharp[root] += feet[i].sides > 0 && feet[i].quality < kSharp;
+    sharp[root] += isClearlySharp(feet[i]);
   }
   std::vector<char> kept(points.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {

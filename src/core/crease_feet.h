@@ -28,6 +28,11 @@ CreaseFoot footBetween(const Vec3& start, const std::array<Vec3, 3>& sides, int 
                        const Index* nearest, int found, const std::vector<Vec3>& points,
                        const std::vector<Vec3>& normals);
 
+/// Whether the foot leaves no doubt that there is a sharp edge.
+bool isClearlySharp(const CreaseFoot& foot);
+
+constexpr double kSharpShare = 0.4;  // of the feet of a sharp edge that are clearly sharp, at least
+
 /// Whether each foot belongs to a sharp edge, and not to a bend that looks like one here and there: feet are
 /// linked where their points are near and they are closer than two local spacings; a linked group stays if
 /// at least 10 of its feet, and two in five, are clearly sharp. foot[i] is that of points[i].

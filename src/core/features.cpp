@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "crease_feet.h"
 #include "crease_vertices.h"
@@ -99,11 +100,11 @@ struct Creases {
   std::vector<CreaseFoot> feet;  // of each point
 };
 
-// The feet of those candidates that lie near a sharp edge.
-Creases creasesAmong(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
-                     RobustNormals& normals, const Context& context) {
+// The feet of those candidates whose surroundings are not smooth.
+Creases feetOf(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
+               RobustNormals& normals, const Context& context) {
   neighbors.add(candidates, context);
-  const RoughPoints rough = roughAmong(candidates, neighbors, context);
+  RoughPoints rough = roughAmong(candidates, neighbors, context);
   normals.add(neighbors.grown(rough.points, kNeighbors), context);
   std::vector<CreaseFoot> feet(rough.points.size());
   parallelBlocks(context, feet.size(), 128, [&](std::size_t first, std::size_t last) {
@@ -111,12 +112,35 @@ Creases creasesAmong(const std::vector<Index>& candidates, double cosine, Sparse
       feet[i] = creaseFootOf(rough.points[i], rough.residual[i], cosine, neighbors, normals);
     }
   });
-  const std::vector<char> kept = keptFeet(rough.points, feet, neighbors);
+  return {std::move(rough.points), std::move(feet)};
+}
+
+// Whether a quarter of the candidates, in cluster-sized runs, holds too few feet that are clearly sharp for
+// enough of all to be kept, by a factor of two: most clouds without sharp edges are left here.
+bool areHopeless(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
+                 RobustNormals& normals, const Context& context) {
+  constexpr std::size_t kRun = 12, kStride = 4 * kRun, kLeast = 8 * kStride;
+  constexpr double kHopeless = 0.5 * kConfirmed * kSharpShare;
+  if (candidates.size() < kLeast) return false;
+  std::vector<Index> sample;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (i % kStride < kRun) sample.push_back(candidates[i]);
+  }
+  const Creases tried = feetOf(sample, cosine, neighbors, normals, context);
+  const auto sharp = std::count_if(tried.feet.begin(), tried.feet.end(), isClearlySharp);
+  return static_cast<double>(sharp) < kHopeless * static_cast<double>(sample.size());
+}
+
+// The feet of those candidates that lie near a sharp edge.
+Creases creasesAmong(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
+                     RobustNormals& normals, const Context& context) {
+  const Creases all = feetOf(candidates, cosine, neighbors, normals, context);
+  const std::vector<char> kept = keptFeet(all.points, all.feet, neighbors);
   Creases creases;
-  for (std::size_t i = 0; i < feet.size(); ++i) {
+  for (std::size_t i = 0; i < all.feet.size(); ++i) {
     if (!kept[i]) continue;
-    creases.points.push_back(rough.points[i]);
-    creases.feet.push_back(feet[i]);
+    creases.points.push_back(all.points[i]);
+    creases.feet.push_back(all.feet[i]);
   }
   return creases;
 }
@@ -134,6 +158,7 @@ Features detectFeatures(const PointSet& set, const NeighborSearch& search, const
   RobustNormals normals(neighbors);
   const double cosine = std::cos(parameters.angle * kPi / 180);
   const std::vector<Index> folded = membersWhere(isFolded, misfit, clusters);
+  if (areHopeless(folded, cosine, neighbors, normals, context)) return features;
   const Creases sure = creasesAmong(folded, cosine, neighbors, normals, context);
   if (sure.points.empty() || sure.points.size() < kConfirmed * folded.size()) return features;
   const Creases creases =
