@@ -274,9 +274,12 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
       nearestOfAll(points, input.search ? *input.search : *own_search, parameters.neighbors, context);
   const std::vector<double> spacing = localSpacings(points, neighbors, context);
   std::vector<double> cloud_spacing = input.cloud_spacing ? *input.cloud_spacing : spacing;
-  const CloudSupport support =
-      input.cloud ? CloudSupport(points, cloud_spacing, *input.cloud, parameters.support_reach)
-                  : CloudSupport();
+  std::vector<Index> cloud_nearest = input.cloud_nearest ? *input.cloud_nearest : std::vector<Index>();
+  CloudSupport support;
+  if (input.cloud) {
+    support = CloudSupport(points, cloud_spacing, *input.cloud, parameters.support_reach);
+    if (input.cloud_points && input.cloud_nearest) support.knowNearest(*input.cloud_points, cloud_nearest);
+  }
   const FrontInput front_input{input.points, neighbors, spacing, support};
 
   Triangulation result;
@@ -296,6 +299,7 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   for (const Index original : result.duplicate_of) {
     points.push_back(points[original]);
     cloud_spacing.push_back(cloud_spacing[original]);
+    if (!cloud_nearest.empty()) cloud_nearest.push_back(cloud_nearest[original]);
     normals.push_back(normals[original]);
   }
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);

@@ -15,6 +15,12 @@ class CloudSupport {
                const NeighborSearch& cloud, double reach)
       : points_(&points), spacing_(&spacing), cloud_(reach > 0 ? &cloud : nullptr), reach_(reach) {}
 
+  /// Makes known the points of the cloud and, of each point, the nearest of them; both must outlive this.
+  void knowNearest(const std::vector<Vec3>& cloud_points, const std::vector<Index>& nearest) {
+    cloud_points_ = &cloud_points;
+    nearest_ = &nearest;
+  }
+
   bool testsAnything() const { return cloud_ != nullptr; }
   /// Whether the centroid and the midpoints of the edges each have a point of the cloud within reach. Short
   /// triangles always do. Four searches for one neighbour at most.
@@ -22,11 +28,13 @@ class CloudSupport {
   bool supports(const Triangle& triangle, double reach) const;
 
  private:
-  bool isNear(const Vec3& position, double distance) const;
+  bool isNear(const Vec3& position, const Triangle& triangle, double distance) const;
 
   const std::vector<Vec3>* points_ = nullptr;
   const std::vector<double>* spacing_ = nullptr;
   const NeighborSearch* cloud_ = nullptr;
+  const std::vector<Vec3>* cloud_points_ = nullptr;
+  const std::vector<Index>* nearest_ = nullptr;
   double reach_ = 0;
 };
 

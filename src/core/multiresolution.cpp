@@ -292,7 +292,7 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
       result.outliers += static_cast<Index>(outliers.size());
       const bool few = outliers.size() < kFew * static_cast<double>(cloud.points.size());
       leaveOut(outliers, context, cloud, result);
-      if (few) break;
+      if (few) return;
     }
     dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
   });
@@ -307,8 +307,8 @@ void warnOfSeams(const FrontStatistics& front, Context& context) {
                              " edges)");
 }
 
-Triangulation triangulateRepresentatives(const NeighborSearch& search, const Context& context,
-                                         const Reconstruction& result) {
+Triangulation triangulateRepresentatives(const std::vector<Vec3>& points, const NeighborSearch& search,
+                                         const Context& context, const Reconstruction& result) {
   const Representatives& all = result.representatives;
   TriangulationInput input{all.position};
   input.spacing = result.spacing;
@@ -317,6 +317,8 @@ Triangulation triangulateRepresentatives(const NeighborSearch& search, const Con
     input.normals = &all.normal;
     input.cloud_spacing = &all.spacing;
     input.cloud = &search;
+    input.cloud_points = &points;
+    input.cloud_nearest = &all.nearest;
   } else {
     input.search = &search;
   }
@@ -347,7 +349,7 @@ void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstru
     if (result.noise.drops_crowded) dropCrowded(representatives, clusters, context);
     std::swap(representatives, result.representatives);
     std::swap(clusters, result.clusters);
-    Triangulation finer = triangulateRepresentatives(cloud.search(), context, result);
+    Triangulation finer = triangulateRepresentatives(cloud.points.position, cloud.search(), context, result);
     if (faultsOf(finer) >= faultsOf(triangulation)) {
       std::swap(representatives, result.representatives);
       std::swap(clusters, result.clusters);
@@ -358,7 +360,8 @@ void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstru
 }
 
 void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& result) {
-  Triangulation triangulation = triangulateRepresentatives(cloud.search(), context, result);
+  Triangulation triangulation =
+      triangulateRepresentatives(cloud.points.position, cloud.search(), context, result);
   refineTroubledPlaces(cloud, context, result, triangulation);
   result.front = triangulation.statistics;
   warnOfSeams(result.front, context);

@@ -22,7 +22,7 @@ namespace {
 constexpr int kLeafSize = 15;
 constexpr std::size_t kQueryBlock = 2048;
 constexpr int kSpacingNeighbors = 6;
-constexpr std::size_t kSpacingSamples = 20000;
+constexpr std::size_t kSpacingSamples = 5000;
 
 /// The k best in the caller's arrays, by (squared distance, index).
 class BestK final : public flann::ResultSet<double> {

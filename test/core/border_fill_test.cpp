@@ -197,6 +197,17 @@ TEST(CloudSupport, AsksForPointsNearLongTriangles) {
   EXPECT_TRUE(CloudSupport(corners, spacing, *far_away, 2.3).supports({0, 3, 4}));
   EXPECT_FALSE(CloudSupport(corners, spacing, *far_away, 2.2).supports({0, 3, 4}));
   EXPECT_TRUE(CloudSupport().supports({0, 1, 2}));
+  // Points that are known to be nearest answer as the search does.
+  const Points sparse = {{0.1, 0, 0}, {2, 0.2, 0}, {0.2, 2.1, 0}, {1.9, 2, 0}, {1.3, 1.4, 0.1}};
+  const auto search = makeKdTree(sparse);
+  const std::vector<Index> nearest = {0, 1, 2, 0, 0};
+  for (const double reach : {0.5, 1.0, 2.0, 3.0, 6.0, 9.0}) {
+    const CloudSupport plain(corners, spacing, *search, reach);
+    CloudSupport knowing = plain;
+    knowing.knowNearest(sparse, nearest);
+    for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{0, 3, 4}, Triangle{1, 3, 4}, Triangle{2, 3, 1}})
+      EXPECT_EQ(plain.supports(t), knowing.supports(t)) << reach;
+  }
 }
 
 }  // namespace

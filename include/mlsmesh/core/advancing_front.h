@@ -43,6 +43,9 @@ struct TriangulationInput {
   /// it. Null: the points are the cloud.
   const std::vector<double>* cloud_spacing = nullptr;
   const NeighborSearch* cloud = nullptr;
+  /// With `cloud`, if at hand: its points, and of each of `points` the one nearest to it. Saves searches.
+  const std::vector<Vec3>* cloud_points = nullptr;
+  const std::vector<Index>* cloud_nearest = nullptr;
   double spacing = 0;      ///< of the cloud, the unit of fill_max_perimeter, > 0
   bool may_split = false;  ///< pinched vertices may be duplicated
 };

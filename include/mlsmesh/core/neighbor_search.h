@@ -40,7 +40,7 @@ NeighborTable nearestOfAll(const std::vector<Vec3>& points, const NeighborSearch
 std::vector<double> localSpacings(const std::vector<Vec3>& points, const NeighborTable& neighbors,
                                   const Context& context);
 
-/// Median (upper of two) distance of a point to its nearest other, over at most 20,000 points spread evenly
+/// Median (upper of two) distance of a point to its nearest other, over at most 5,000 points spread evenly
 /// over the order: the spacing of the cloud, the unit of global lengths.
 double medianSpacing(const std::vector<Vec3>& points, const NeighborSearch& search, const Context& context);
 
