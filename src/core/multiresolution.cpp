@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "border_smoothing.h"
 #include "mlsmesh/core/bsp_clustering.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/noise.h"
@@ -300,6 +301,13 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
   if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
 }
 
+// Borders move to the rim of the cloud where its points are where they were measured.
+void moveBorders(const Surroundings& cloud, const Context& context, Reconstruction& result) {
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  if (!parameters.reduce || !parameters.refinement.smooth_borders || result.noise.passes > 0) return;
+  smoothBorders(cloud.points, cloud.surface(), result.clusters, context, result.mesh);
+}
+
 Triangulation triangulateRepresentatives(const NeighborSearch& search, const Context& context,
                                          const Reconstruction& result) {
   const Representatives& all = result.representatives;
@@ -356,6 +364,7 @@ void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& 
   result.front = triangulation.statistics;
   makeLevelZero(triangulation, result);
   if (result.features.any()) turnToSides(context, result);
+  moveBorders(cloud, context, result);
 }
 
 // Patches over the holes that are to be closed; their vertices have no points.
