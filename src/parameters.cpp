@@ -27,6 +27,7 @@ MultiresolutionParameters paperPreset() {
   paper.refinement.threshold = 0.015;
   paper.refinement.min_edge_ratio = 0.45;
   paper.refinement.flips = FlipRule::Length;
+  paper.refinement.smooth_borders = false;
 
   paper.features.detect = false;
   return paper;

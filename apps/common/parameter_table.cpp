@@ -246,8 +246,9 @@ void addRefinement(std::vector<Parameter>& table) {
            "shortest over longest edge below which a triangle is not divided");
   rows.add("max_displacement", &Step::max_displacement, kPositive,
            "farthest that a new vertex may be from the midpoint, in edge lengths");
-  rows.add("border_displacement", &Step::border_displacement, kNotNegative,
-           "the same on border edges, along the surface normal");
+  rows.add("border_displacement", &Step::border_displacement, kNotNegative, "the same on border edges");
+  rows.add("smooth_borders", &Step::smooth_borders,
+           "move borders to the rim of the cloud and refine them as smooth curves");
   rows.add("fold_guard", &Step::fold_guard,
            "pull a new vertex back where a triangle turns against its parent or meets another");
   rows.add("fold_angle", &Step::fold_angle, Limits{0, 180, false}, "degrees that a triangle may turn");

@@ -158,7 +158,10 @@ struct RefinementParameters {
   SplitMode split_mode = SplitMode::Templates;
   double min_edge_ratio = 0.1;    ///< shortest / longest edge below which a triangle is not divided, 0 .. 1
   double max_displacement = 0.5;  ///< of a new vertex from the midpoint, in edge lengths, > 0
-  double border_displacement = 0.25;  ///< the same on border edges (along the surface normal only), >= 0
+  double border_displacement = 0.25;  ///< the same on border edges, >= 0
+  /// Borders are smooth curves along the rim of the cloud: over representatives, border vertices move there,
+  /// and new ones in the surface too; false: they lie inside, and new ones move along the normal alone.
+  bool smooth_borders = true;
   /// pull a new vertex back where a child turns against its parent, or meets a triangle that it should not
   bool fold_guard = true;
   double fold_angle = 60.0;  ///< degrees that a child may turn, 0 .. 180

@@ -3,14 +3,15 @@
 // surface approximation", SIBGRAPI 2003, section 2.4. Departures (defaults): an edge is split by the
 // displacement of its midpoint along the normal, because the printed alpha measures the bias of the
 // neighbours' mean, which never vanishes; a new vertex stays within half an edge of its midpoint; on a border
-// it moves along the normal alone, so that loops keep their corners. Patches over holes are left as they are,
-// but for their rims, which are refined as borders.
+// it moves along the normal, and in the surface to a smooth curve through the border's vertices, but for
+// corners. Patches over holes are left as they are, but for their rims, which are refined as borders.
 #include "mlsmesh/core/mls_refinement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "border_smoothing.h"
 #include "crease_edges.h"
 #include "edge_flips.h"
 #include "edge_split.h"
@@ -73,17 +74,18 @@ class EdgeTest {
       return edge;
     }
     const Vec3 normal = normalAt(half_edge);
+    const Vec3 aside = borderStep(half_edge, normal);
     Projection projection;
     if (parameters_.test == RefinementTest::Displacement) {
-      projection = surface_.project(middle);
+      projection = surface_.project(middle + aside);
       const double height = (projection.position - middle).dot(normal);
-      edge.marked = std::abs(height) >= parameters_.threshold * projection.spacing;
+      edge.marked = std::hypot(height, aside.norm()) >= parameters_.threshold * projection.spacing;
     } else {
       const double alpha = surface_.meanDifference(middle).dot(normal);
       edge.marked = std::abs(alpha) >= parameters_.threshold * spacing_;
       if (edge.marked) projection = surface_.project(middle + alpha * normal);
     }
-    if (edge.marked) place(projection, middle, normal, (position_[u] - position_[v]).norm(), edge);
+    if (edge.marked) place(projection, middle, normal, (position_[u] - position_[v]).norm(), edge, aside);
     return edge;
   }
 
@@ -91,6 +93,13 @@ class EdgeTest {
   bool isKnownFlat(Index u, Index v) const {
     return std::binary_search(flat_edges_.begin(), flat_edges_.end(),
                               std::array<Index, 2>{std::min(u, v), std::max(u, v)});
+  }
+
+  // From the middle of a border edge to the curve that the border runs along, in the surface.
+  Vec3 borderStep(Index half_edge, const Vec3& normal) const {
+    if (!parameters_.smooth_borders || !mesh_.isBorder(half_edge)) return Vec3::Zero();
+    const Vec3 offset = borderCurveOffset(mesh_, position_, half_edge);
+    return offset - offset.dot(normal) * normal;
   }
 
   void evaluateNearCrease(const Vec3& middle, double length, SplitEdge& edge) const {
@@ -117,12 +126,12 @@ class EdgeTest {
   }
 
   void place(const Projection& projection, const Vec3& middle, const Vec3& normal, double length,
-             SplitEdge& edge) const {
+             SplitEdge& edge, const Vec3& aside = Vec3::Zero()) const {
     Vec3 step = projection.position - middle;
     double limit = parameters_.max_displacement * length;
     edge.kind = projection.kind;
     if (mesh_.isBorder(edge.half_edge) || patches_.isRim(edge.half_edge)) {
-      step = step.dot(normal) * normal;
+      step = step.dot(normal) * normal + aside;
       limit = parameters_.border_displacement * length;
       edge.kind = VertexKind::Border;
     }
@@ -171,7 +180,7 @@ std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh,
                                                 const std::vector<SplitEdge>& edges) {
   std::vector<std::array<Index, 2>> unmarked;
   for (const SplitEdge& edge : edges) {
-    if (edge.marked) continue;
+    if (edge.marked || mesh.isBorder(edge.half_edge)) continue;
     const Index u = mesh.origin(edge.half_edge), v = mesh.target(edge.half_edge);
     unmarked.push_back({std::min(u, v), std::max(u, v)});
   }

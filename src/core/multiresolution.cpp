@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "border_smoothing.h"
 #include "mlsmesh/core/bsp_clustering.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/noise.h"
@@ -307,6 +308,13 @@ void warnOfSeams(const FrontStatistics& front, Context& context) {
                              " edges)");
 }
 
+// Borders move to the rim of the cloud where its points are where they were measured.
+void moveBorders(const Surroundings& cloud, const Context& context, Reconstruction& result) {
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  if (!parameters.reduce || !parameters.refinement.smooth_borders || result.noise.passes > 0) return;
+  smoothBorders(cloud.points, cloud.surface(), result.clusters, context, result.mesh);
+}
+
 Triangulation triangulateRepresentatives(const std::vector<Vec3>& points, const NeighborSearch& search,
                                          const Context& context, const Reconstruction& result) {
   const Representatives& all = result.representatives;
@@ -367,6 +375,7 @@ void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& 
   warnOfSeams(result.front, context);
   makeLevelZero(triangulation, result);
   if (result.features.any()) turnToSides(context, result);
+  moveBorders(cloud, context, result);
 }
 
 // Patches over the holes that are to be closed; their vertices have no points.

@@ -229,6 +229,7 @@ TEST(MlsRefinement, LeavesAFlatCloudAsItIs) {
   for (const RefinementParameters& parameters : {RefinementParameters(), paperPreset().refinement}) {
     RefinementParameters tested = parameters;
     tested.flips = FlipRule::NoFlips;
+    tested.smooth_borders = false;
     const RefinedMesh mesh = coarse.refined(tested);
     EXPECT_EQ(mesh.level_vertices, std::vector<Index>(3, mesh.level_vertices[0]));
     EXPECT_EQ(mesh.level_triangles[1], mesh.level_triangles[0]);
@@ -279,7 +280,7 @@ TEST(MlsRefinement, KeepsNewVerticesWithinTheirLimits) {
   EXPECT_GT(clamped_on_border, 0);
 }
 
-TEST(MlsRefinement, MovesBordersAlongTheSurfaceNormalAlone) {
+TEST(MlsRefinement, MovesBordersAlongTheSurfaceNormalAloneWhereTheyAreNotSmoothed) {
   // The mesh ends half a spacing inside the lattice: the projections of its border stay in the plane, and
   // their tangential part, which would move the loop, is taken off.
   Points bowl = test::planeLattice(40, 40);
@@ -287,6 +288,7 @@ TEST(MlsRefinement, MovesBordersAlongTheSurfaceNormalAlone) {
   const Coarse coarse(bowl);
   RefinementParameters parameters = everyEdge(1);
   parameters.fold_guard = false;
+  parameters.smooth_borders = false;
   const RefinedMesh mesh = coarse.refined(parameters);
   const HalfEdgeMesh before = halfEdges(mesh, 0);
   const Points normals = vertexNormals(mesh.level_triangles[0], mesh.position);

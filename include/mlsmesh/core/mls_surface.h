@@ -13,7 +13,7 @@ enum class VertexKind : std::uint8_t {
   InputPoint,   ///< an input point: what was asked for, or the last resort
   Clamped,      ///< displacement cut to its limit
   FoldGuarded,  ///< pulled towards the edge's midpoint, or onto it, to keep the mesh from folding
-  Border,       ///< on a border edge: only the part along the normal of the projection was used
+  Border,       ///< on a border: moved to the rim of the cloud, or along the normal and to a smooth loop
   Crease,       ///< on a sharp edge: where the surfaces of its sides meet
   Patch,        ///< on a patch over a hole, where there are no points
 };
