@@ -248,7 +248,7 @@ void addRefinement(std::vector<Parameter>& table) {
            "farthest that a new vertex may be from the midpoint, in edge lengths");
   rows.add("border_displacement", &Step::border_displacement, kNotNegative, "the same on border edges");
   rows.add("smooth_borders", &Step::smooth_borders,
-           "move borders to the rim of the cloud and refine them as smooth curves");
+           "move borders to the rim of the cloud (but those that watertight closes) and refine them as smooth curves");
   rows.add("fold_guard", &Step::fold_guard,
            "pull a new vertex back where a triangle turns against its parent or meets another");
   rows.add("fold_angle", &Step::fold_angle, Limits{0, 180, false}, "degrees that a triangle may turn");

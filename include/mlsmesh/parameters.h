@@ -161,6 +161,7 @@ struct RefinementParameters {
   double border_displacement = 0.25;  ///< the same on border edges, >= 0
   /// Borders are smooth curves along the rim of the cloud: over representatives, border vertices move there,
   /// and new ones in the surface too; false: they lie inside, and new ones move along the normal alone.
+  /// Borders that watertight closes stay: patches go on better from the triangles of the representatives.
   bool smooth_borders = true;
   /// pull a new vertex back where a child turns against its parent, or meets a triangle that it should not
   bool fold_guard = true;

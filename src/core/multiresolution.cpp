@@ -308,10 +308,12 @@ void warnOfSeams(const FrontStatistics& front, Context& context) {
                              " edges)");
 }
 
-// Borders move to the rim of the cloud where its points are where they were measured.
+// Borders move to the rim of the cloud where its points are where they were measured, and borders are to stay:
+// patches go on better from the triangles of the representatives.
 void moveBorders(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   const MultiresolutionParameters& parameters = result.noise.parameters;
-  if (!parameters.reduce || !parameters.refinement.smooth_borders || result.noise.passes > 0) return;
+  const bool stay = parameters.refinement.smooth_borders && !parameters.watertight;
+  if (!parameters.reduce || !stay || result.noise.passes > 0) return;
   smoothBorders(cloud.points, cloud.surface(), result.clusters, context, result.mesh);
 }
 
