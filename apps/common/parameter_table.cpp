@@ -215,7 +215,7 @@ void addTriangulation(std::vector<Parameter>& table) {
   rows.add("fill_max_edges", &Step::fill_max_edges, Limits{3, 64, false},
            "edges of the largest loop that is filled");
   rows.add("fill_max_perimeter", &Step::fill_max_perimeter, kPositive,
-           "perimeter of the largest loop that is filled, in spacings of the cloud");
+           "perimeter of the largest loop that is filled, in spacings of the cloud (where it is sparser, in those there)");
   rows.add("fill_supported_edges", &Step::fill_supported_edges, Limits{0, 64, false},
            "edges of the largest loop that is filled where the cloud supports every triangle of the fill");
   rows.add("support_reach", &Step::support_reach, kNotNegative,

@@ -118,10 +118,11 @@ struct TriangulationParameters {
   LengthRule length_rule = LengthRule::LocalSpacing;
   double length_factor = 4.0;  ///< in the unit of the rule, > 0  [epsilon_1]
   OverlapTest overlap_test = OverlapTest::AllCorners;
-  bool fill_small_loops = true;      ///< close border loops within the next limits
-  int fill_max_edges = 6;            ///< edges of a loop that is filled, 3 .. 64
-  double fill_max_perimeter = 50.0;  ///< of a loop that is filled, in (global) spacings of the cloud, > 0
-  int fill_supported_edges = 40;     ///< edges of a loop filled where the cloud supports it, 0 .. 64
+  bool fill_small_loops = true;  ///< close border loops within the next limits
+  int fill_max_edges = 6;        ///< edges of a loop that is filled, 3 .. 64
+  /// Of a loop that is filled, in spacings of the cloud, or of its points there where they are sparser, > 0
+  double fill_max_perimeter = 50.0;
+  int fill_supported_edges = 40;  ///< edges of a loop filled where the cloud supports it, 0 .. 64
   /// Over representatives: a triangle needs a point of the cloud within so many local spacings of its
   /// centroid and of the midpoints of its edges, so that openings stay open; 0 = no such test.
   double support_reach = 2.0;

@@ -289,7 +289,9 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
 
   const FillLimits limits{
       parameters.fill_max_edges,
-      parameters.fill_max_perimeter * input.spacing,
+      parameters.fill_max_perimeter,
+      input.spacing,
+      &cloud_spacing,
   };
   if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
   const PinchCount pinches =

@@ -12,12 +12,21 @@ namespace {
 
 constexpr double kWorstBend = 165.0 * 3.14159265358979323846 / 180.0;
 
+// Of nearest neighbours at the loop; the local spacing is one over the root of the density, twice that of
+// random points.
+double spacingAt(const HalfEdgeMesh& mesh, const std::vector<Index>& loop, const FillLimits& limits) {
+  if (!limits.local_spacing) return limits.spacing;
+  double sum = 0;
+  for (const Index h : loop) sum += (*limits.local_spacing)[mesh.origin(h)];
+  return std::max(limits.spacing, 0.5 * sum / static_cast<double>(loop.size()));
+}
+
 bool isSmall(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Index>& loop,
              const FillLimits& limits) {
   if (static_cast<int>(loop.size()) > limits.max_edges) return false;
   double perimeter = 0;
   for (const Index h : loop) perimeter += (points[mesh.target(h)] - points[mesh.origin(h)]).norm();
-  return perimeter <= limits.max_perimeter;
+  return perimeter <= limits.max_perimeter * spacingAt(mesh, loop, limits);
 }
 
 }  // namespace

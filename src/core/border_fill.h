@@ -5,11 +5,13 @@
 
 namespace mlsmesh::core {
 
-/// A loop is filled if it has at most max_edges edges and a perimeter of at most max_perimeter, in the
-/// points' unit.
+/// A loop is filled if it has at most max_edges edges and a perimeter of at most max_perimeter spacings:
+/// those of the whole cloud, or where the cloud is sparser those at the loop.
 struct FillLimits {
   int max_edges = 6;
   double max_perimeter = 0;
+  double spacing = 1;                                  ///< of the cloud, in the points' unit
+  const std::vector<double>* local_spacing = nullptr;  ///< as MlsSurface measures it; null: even everywhere
 };
 
 struct FillCount {

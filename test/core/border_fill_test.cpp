@@ -104,6 +104,22 @@ TEST(BorderFill, LeavesLoopsBeyondTheLimits) {
   EXPECT_EQ(fills(5, 100), 0);
 }
 
+TEST(BorderFill, LimitsGrowWhereTheCloudIsSparser) {
+  const double perimeter = 4 + 2 * std::sqrt(2.0);
+  const auto fills = [&](double local_spacing) {
+    HalfEdgeMesh mesh = sheet();
+    removeStar(mesh, at(5, 5));
+    const std::vector<double> spacing(sheetPoints().size(), local_spacing);
+    return fillLoops(mesh, sheetPoints(), {6, 10 * perimeter, 0.05, &spacing}).loops;
+  };
+  EXPECT_EQ(fills(0.19), 0);
+  EXPECT_EQ(fills(0.21), 1);
+  HalfEdgeMesh mesh = sheet();
+  removeStar(mesh, at(5, 5));
+  const std::vector<double> dense(sheetPoints().size(), 0.001);
+  EXPECT_EQ(fillLoops(mesh, sheetPoints(), {6, 10 * perimeter, 0.11, &dense}).loops, 1);
+}
+
 TEST(BorderFill, ClosesHolesThatMeetAtAVertex) {
   HalfEdgeMesh mesh = sheet();
   const Points points = sheetPoints();
