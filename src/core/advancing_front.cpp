@@ -131,12 +131,19 @@ class Front {
   Index next_slot_ = 0;
 };
 
-// A point on which a further component may start: it and its surroundings are not part of any triangle.
-bool isFree(const FrontInput& input, const HalfEdgeMesh& mesh, Index point) {
+// A point on which a further component may start: neither it nor its surroundings, but for what lies above or
+// below it, are part of any triangle.
+bool isFree(const FrontInput& input, const std::vector<Vec3>& normals, const HalfEdgeMesh& mesh,
+            Index point) {
+  constexpr double kAbove = 0.8;  // cosine from the normal
   if (mesh.isUsed(point)) return false;
+  const auto isBeside = [&](Index q) {
+    const Vec3 d = input.points[q] - input.points[point];
+    return std::abs(d.dot(normals[point])) < kAbove * d.norm();
+  };
   const Index* row = input.neighbors.row(point);
   return std::none_of(row, row + std::min(kFreeNeighbors, input.neighbors.k),
-                      [&](Index q) { return mesh.isUsed(q); });
+                      [&](Index q) { return mesh.isUsed(q) && isBeside(q); });
 }
 
 Vec3 normalOf(const FrontInput& input, const Triangle& t) {
@@ -161,13 +168,14 @@ bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh,
   return agreement < 0;
 }
 
-void growFromIslands(const FrontInput& input, const Islands& islands,
+void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, const Islands& islands,
                      const TriangulationParameters& parameters, const HalfEdgeMesh& mesh, Front& front) {
   for (Index i = 0; i < islands.count(); ++i) {
     std::vector<Triangle> usable;
     for (Index t = islands.begin[i]; t < islands.begin[i + 1]; ++t) {
       const Triangle& corners = islands.triangles[t];
-      if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return isFree(input, mesh, v); }) &&
+      if (std::all_of(corners.begin(), corners.end(),
+                      [&](Index v) { return isFree(input, normals, mesh, v); }) &&
           input.support.supports(corners)) {
         usable.push_back(corners);
       }
@@ -204,13 +212,14 @@ Triangle seedAt(const FrontInput& input, Index p, double length_limit) {
   return best;
 }
 
-void growFromSingleTriangles(const FrontInput& input, const TriangulationParameters& parameters,
-                             HalfEdgeMesh& mesh, Front& front) {
+void growFromSingleTriangles(const FrontInput& input, const std::vector<Vec3>& normals,
+                             const TriangulationParameters& parameters, HalfEdgeMesh& mesh, Front& front) {
   const FrontRules rules(input, mesh, parameters);
   for (Index p = 0; p < mesh.vertexCount(); ++p) {
-    if (!isFree(input, mesh, p)) continue;
+    if (!isFree(input, normals, mesh, p)) continue;
     const Triangle seed = seedAt(input, p, rules.lengthLimit(p, input.neighbors.row(p)[0]));
-    if (seed[0] == kNone || !isFree(input, mesh, seed[1]) || !isFree(input, mesh, seed[2])) continue;
+    if (seed[0] == kNone || !isFree(input, normals, mesh, seed[1]) || !isFree(input, normals, mesh, seed[2]))
+      continue;
     front.load(seed);
     front.grow();
     if (!parameters.restart) return;
@@ -255,9 +264,9 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
   if (parameters.seeds == SeedRule::AgreedStars) {
     const StarRings stars =
         localStars(input.points, normals, input.neighbors, input.spacing, parameters.length_factor, context);
-    growFromIslands(input, agreedIslands(stars, context), parameters, mesh, front);
+    growFromIslands(input, normals, agreedIslands(stars, context), parameters, mesh, front);
   }
-  if (mesh.triangleCount() == 0) growFromSingleTriangles(input, parameters, mesh, front);
+  if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, mesh, front);
   if (mesh.triangleCount() == 0) {
     throw Failure(StatusCode::NoTriangles,
                   "no triangle fits the points; they may be too sparse or scattered");

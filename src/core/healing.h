@@ -26,7 +26,7 @@ struct Healing {
 /// - handles that a short walk goes round are cut, where the triangles that close the cut lie more along the
 ///   surface than those that went.
 /// O(n log n) to look, and little for each place. Throws Failure(Cancelled).
-Healing healMesh(HalfEdgeMesh& mesh, const HealingInput& input,
-                           const TriangulationParameters& parameters, const Context& context);
+Healing healMesh(HalfEdgeMesh& mesh, const HealingInput& input, const TriangulationParameters& parameters,
+                 const Context& context);
 
 }  // namespace mlsmesh::core

@@ -204,11 +204,12 @@ std::vector<TrianglePair> pairsAfter(const std::vector<TrianglePair>& pairs,
 
 }  // namespace
 
-std::int64_t guardIntersections(const PointSet& points, const NewLevel& level, const Context& context,
-                                RefinedMesh& refined, std::vector<Triangle>& triangles) {
+std::vector<TrianglePair> guardIntersections(const PointSet& points, const NewLevel& level,
+                                             const Context& context, RefinedMesh& refined,
+                                             std::vector<Triangle>& triangles) {
   SelfIntersections search(refined.position, triangles, context, &level.flipped);
   std::vector<TrianglePair> pairs = search.all();
-  if (pairs.empty()) return 0;
+  if (pairs.empty()) return pairs;
   Guard guard(points, level, refined, triangles);
   while (!pairs.empty()) {
     context.checkCancelled();
@@ -216,7 +217,7 @@ std::int64_t guardIntersections(const PointSet& points, const NewLevel& level, c
     if (changed.empty()) break;
     pairs = pairsAfter(pairs, changed, search);
   }
-  return static_cast<std::int64_t>(pairs.size());
+  return pairs;
 }
 
 }  // namespace mlsmesh::core

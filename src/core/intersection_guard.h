@@ -3,6 +3,7 @@
 
 #include "edge_flips.h"
 #include "mlsmesh/core/mls_refinement.h"
+#include "mlsmesh/core/self_intersections.h"
 
 namespace mlsmesh::core {
 
@@ -19,8 +20,9 @@ struct NewLevel {
 /// not enough, half the displacement of their new vertices, twice, then all of it. At the extreme a region is
 /// its parent's again, so that a level has no intersections where the level before has none, but for the
 /// rounding of midpoints. Vertices of older levels stay. Changes `refined.position` and, to FoldGuarded,
-/// `refined.kind`; `triangles` are those of the level, in place. Returns the number of pairs that are left.
-std::int64_t guardIntersections(const PointSet& points, const NewLevel& level, const Context& context,
-                                RefinedMesh& refined, std::vector<Triangle>& triangles);
+/// `refined.kind`; `triangles` are those of the level, in place. Returns the pairs that are left.
+std::vector<TrianglePair> guardIntersections(const PointSet& points, const NewLevel& level,
+                                             const Context& context, RefinedMesh& refined,
+                                             std::vector<Triangle>& triangles);
 
 }  // namespace mlsmesh::core

@@ -108,6 +108,7 @@ void store(const Projection& projection, const PointSet& points, std::size_t i, 
   all.normal[i] = projection.normal;
   all.variation[i] = projection.variation;
   all.spacing[i] = projection.spacing;
+  all.sheet_gap[i] = projection.sheet_gap;
   all.nearest[i] = projection.nearest;
   all.kind[i] = projection.kind;
 }
@@ -161,6 +162,7 @@ void keepOnly(const std::vector<Index>& kept, Representatives& representatives) 
   keepOnly(kept, representatives.normal);
   keepOnly(kept, representatives.variation);
   keepOnly(kept, representatives.spacing);
+  keepOnly(kept, representatives.sheet_gap);
   keepOnly(kept, representatives.nearest);
   keepOnly(kept, representatives.kind);
   if (!representatives.crease.empty()) keepOnly(kept, representatives.crease);
@@ -198,6 +200,31 @@ void numberCreases(Index first_crease, Representatives& representatives) {
   std::iota(representatives.crease.begin() + first_crease, representatives.crease.end(), 0);
 }
 
+void resize(std::size_t count, Representatives& all) {
+  all.position.resize(count);
+  all.normal.resize(count);
+  all.variation.resize(count);
+  all.spacing.resize(count);
+  all.sheet_gap.resize(count);
+  all.nearest.resize(count);
+  all.kind.resize(count);
+}
+
+// Projects the clusters whose `which` is not 0 as they are.
+void projectAgain(const std::vector<char>& which, const PointSet& points, const MlsSurface& surface,
+                  const ReductionParameters& parameters, const Context& context,
+                  Representatives& representatives, const IndexLists& clusters) {
+  const std::vector<Vec3> none;
+  parallelBlocks(context, which.size(), 1024, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (!which[i]) continue;
+      const Index cluster = static_cast<Index>(i);
+      const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
+      store(representativeOf({surface, none, Vec3::Zero()}, shape, parameters), points, i, representatives);
+    }
+  });
+}
+
 }  // namespace
 
 Representatives reducePoints(const PointSet& points, const MlsSurface& surface, IndexLists& clusters,
@@ -211,12 +238,7 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   }
   const std::size_t count = static_cast<std::size_t>(clusters.count());
   Representatives result;
-  result.position.resize(count);
-  result.normal.resize(count);
-  result.variation.resize(count);
-  result.spacing.resize(count);
-  result.nearest.resize(count);
-  result.kind.resize(count);
+  resize(count, result);
   const auto make = [&](Index cluster) {
     if (cluster >= sided.first_crease) {
       return creaseRepresentative(surface, features.vertices[cluster - sided.first_crease]);
@@ -241,16 +263,23 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
 void renewRepresentatives(const std::vector<char>& which, const PointSet& points, const MlsSurface& surface,
                           const ReductionParameters& parameters, const Context& context,
                           Representatives& representatives, IndexLists& clusters) {
-  const std::vector<Vec3> none;
-  parallelBlocks(context, which.size(), 1024, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      if (!which[i]) continue;
-      const Index cluster = static_cast<Index>(i);
-      const ClusterShape shape = shapeOf(points.position, clusters.data(cluster), clusters.size(cluster));
-      store(representativeOf({surface, none, Vec3::Zero()}, shape, parameters), points, i, representatives);
-    }
-  });
+  projectAgain(which, points, surface, parameters, context, representatives, clusters);
   dropJoined(coincident(representatives.position), representatives, clusters);
+}
+
+void reduceDivided(const std::vector<char>& divided, IndexLists finer, const PointSet& points,
+                   const MlsSurface& surface, const ReductionParameters& parameters, const Context& context,
+                   Representatives& representatives, IndexLists& clusters) {
+  std::vector<Index> kept;
+  for (Index i = 0; i < representatives.size(); ++i) {
+    if (!divided[i]) kept.push_back(i);
+  }
+  keepOnly(kept, representatives);
+  resize(static_cast<std::size_t>(finer.count()), representatives);
+  std::vector<char> which(static_cast<std::size_t>(finer.count()), 1);
+  std::fill_n(which.begin(), kept.size(), 0);
+  clusters = std::move(finer);
+  renewRepresentatives(which, points, surface, parameters, context, representatives, clusters);
 }
 
 void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,
@@ -260,8 +289,7 @@ void dropRepresentatives(const std::vector<char>& keep, Representatives& represe
   for (Index i = 0; i < representatives.size(); ++i) {
     if (!keep[i]) continue;
     kept.push_back(i);
-    remaining.items.insert(remaining.items.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
-    remaining.begin.push_back(static_cast<Index>(remaining.items.size()));
+    remaining.append(clusters.data(i), clusters.size(i));
   }
   keepOnly(kept, representatives);
   clusters = std::move(remaining);

@@ -229,6 +229,66 @@ NewLevel newLevel(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
   return level;
 }
 
+// A level over the marked edges, with the pairs of its triangles that meet.
+struct Division {
+  NewLevel level;
+  std::vector<Triangle> triangles;
+  std::vector<TrianglePair> pairs;
+};
+
+Division divide(const HalfEdgeMesh& mesh, const EdgeNumbers& numbers, const PointSet& points,
+                const RefinementParameters& parameters, const Context& context, std::vector<SplitEdge>& edges,
+                RefinedMesh& refined) {
+  const double fold_angle = parameters.fold_guard ? parameters.fold_angle : -1.0;
+  const double min_ratio = parameters.min_edge_ratio;
+  std::vector<Triangle> triangles;
+  if (parameters.split_mode == SplitMode::Templates) {
+    keepThinTriangles(mesh, refined.position, numbers.of_half, min_ratio, edges);
+    triangles = splitByTemplates(mesh, refined.position, numbers.of_half, fold_angle, points, context, edges);
+  } else {
+    triangles = splitOneByOne(mesh, refined.position, min_ratio, fold_angle, points, edges);
+  }
+  Division division;
+  division.level = newLevel(mesh, edges, std::move(triangles), refined);
+  HalfEdgeMesh& flipped = division.level.flipped;
+  flipEdges(flipped, refined.position, parameters.flips, parameters.flip_guard, &refined.kind,
+            &division.level.flips);
+  division.triangles = flipped.triangles();
+  division.pairs = parameters.fold_guard
+                       ? guardIntersections(points, division.level, context, refined, division.triangles)
+                       : SelfIntersections(refined.position, division.triangles, context, &flipped).all();
+  return division;
+}
+
+// Unmarks the edges whose vertices are in triangles that meet: once all are on midpoints, their rounding has
+// made these meet. Returns whether there were any.
+bool unmarkMeeting(const Division& division, std::vector<SplitEdge>& edges) {
+  std::vector<std::size_t> marked;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].marked) marked.push_back(e);
+  }
+  bool any = false;
+  for (const TrianglePair& pair : division.pairs) {
+    for (const Index t : pair) {
+      for (const Index v : division.triangles[t]) {
+        if (v < division.level.first_vertex) continue;
+        edges[marked[v - division.level.first_vertex]].marked = false;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+void dropVerticesFrom(Index first, RefinedMesh& refined) {
+  const auto count = static_cast<std::size_t>(first);
+  refined.position.resize(count);
+  refined.normal.resize(count);
+  refined.kind.resize(count);
+  refined.nearest.resize(count);
+  refined.parents.resize(count);
+}
+
 }  // namespace
 
 std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const std::vector<Vec3>& position) {
@@ -257,25 +317,15 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
   });
   std::vector<std::array<Index, 2>> flat_edges = unmarkedEdges(mesh, edges);
 
-  const double fold_angle = parameters.fold_guard ? parameters.fold_angle : -1.0;
-  std::vector<Triangle> triangles;
-  if (parameters.split_mode == SplitMode::Templates) {
-    keepThinTriangles(mesh, refined.position, numbers.of_half, parameters.min_edge_ratio, edges);
-    triangles = splitByTemplates(mesh, refined.position, numbers.of_half, fold_angle, points, context, edges);
-  } else {
-    triangles = splitOneByOne(mesh, refined.position, parameters.min_edge_ratio, fold_angle, points, edges);
+  Division division = divide(mesh, numbers, points, parameters, context, edges, refined);
+  while (parameters.fold_guard && !division.pairs.empty() && unmarkMeeting(division, edges)) {
+    dropVerticesFrom(division.level.first_vertex, refined);
+    division = divide(mesh, numbers, points, parameters, context, edges, refined);
   }
   refined.flat_edges = std::move(flat_edges);
-  NewLevel level = newLevel(mesh, edges, std::move(triangles), refined);
-  flipEdges(level.flipped, refined.position, parameters.flips, parameters.flip_guard, &refined.kind,
-            &level.flips);
-  std::vector<Triangle> finer = level.flipped.triangles();
-  const std::int64_t pairs =
-      parameters.fold_guard ? guardIntersections(points, level, context, refined, finer)
-                            : SelfIntersections(refined.position, finer, context, &level.flipped).count();
   refined.level_intersections.resize(refined.level_triangles.size());
-  refined.level_intersections.emplace_back(pairs);
-  refined.level_triangles.push_back(std::move(finer));
+  refined.level_intersections.emplace_back(static_cast<std::int64_t>(division.pairs.size()));
+  refined.level_triangles.push_back(std::move(division.triangles));
   refined.level_vertices.push_back(static_cast<Index>(refined.position.size()));
 }
 

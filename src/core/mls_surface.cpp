@@ -20,6 +20,8 @@
 #include <cmath>
 #include <limits>
 
+#include "near_sheets.h"
+
 namespace mlsmesh::core {
 namespace {
 
@@ -244,9 +246,49 @@ void findNeighbors(const NeighborSearch& search, const Vec3& x, const Projection
   around.count = search.nearest(x, parameters.neighbors, around.index.data(), around.squared_distance.data());
 }
 
+// Keeps the first `count` neighbours within the slab.
+void keepWithin(const std::vector<Vec3>& points, const Slab& slab, int count, Neighborhood& around) {
+  int kept = 0;
+  for (int i = 0; i < around.count && kept < count; ++i) {
+    if (!slab.contains(points[around.index[i]])) continue;
+    around.index[kept] = around.index[i];
+    around.squared_distance[kept++] = around.squared_distance[i];
+  }
+  around.count = kept;
+}
+
 // d_k / sqrt(k / pi): the spacing of points spread evenly over a disc of radius d_k.
 double localSpacing(const Neighborhood& around) {
   return std::sqrt(around.squared_distance[around.count - 1]) / std::sqrt(around.count / kPi);
+}
+
+// Whether points that a fit misses so may be those of several sheets. The first test costs nothing.
+bool mayMixSheets(double variation, const ProjectionParameters& parameters) {
+  constexpr double kMixed = 0.02;
+  return variation >= kMixed && parameters.method == ProjectionMethod::OneStep;
+}
+
+bool mayMixSheets(double residual, double spacing, double residual_limit) {
+  constexpr double kMissed = 0.15;  // local spacings
+  return residual > std::max(kMissed * spacing, 2 * residual_limit);
+}
+
+// The neighbours of x on the sheet of the nearest one; none, and the neighbours of all sheets in any number,
+// where no other is told from it.
+std::optional<Slab> findSheet(const std::vector<Vec3>& points, const NeighborSearch& search, const Vec3& x,
+                              double spacing, const ProjectionParameters& parameters, Neighborhood& around) {
+  constexpr double kAir = 1.5;  // local spacings between sheets
+  constexpr int kEnough = 40;   // neighbours in which sheets show
+  const auto find = [&](int count) {
+    around.count = search.nearest(x, std::min(count, kMaxNeighbors), around.index.data(),
+                                  around.squared_distance.data());
+  };
+  if (parameters.neighbors < kEnough) find(kEnough);
+  const std::optional<Slab> slab = sheetOfFirst(points, around.index.data(), around.count, kAir * spacing);
+  if (!slab) return slab;
+  if (parameters.neighbors > kEnough / 2) find(2 * parameters.neighbors);
+  keepWithin(points, *slab, parameters.neighbors, around);
+  return slab;
 }
 
 Vec3 meanDifferenceOf(const std::vector<Vec3>& points, const Vec3& x, const Neighborhood& around) {
@@ -271,14 +313,13 @@ Index nearestTo(const std::vector<Vec3>& points, const Vec3& position, const Nei
 // Psi(x) from the neighbours given; their local spacing may be that of more points.
 Projection fitProjection(const std::vector<Vec3>& points, const ProjectionParameters& parameters,
                          double residual_limit, const Vec3& x, int degree, double spacing,
-                         Neighborhood& around) {
+                         Neighborhood& around, Fit& fit) {
   Projection result;
   result.spacing = spacing;
   result.support = supportRadius(around, result.spacing, parameters);
   result.mean_difference = meanDifferenceOf(points, x, around);
 
   weigh(points, x, result.support, around);
-  Fit fit;
   if (parameters.method == ProjectionMethod::Levin) {
     fit.frame = alternatingFrame(points, x, result.spacing, result.support, parameters, around, fit.foot);
     fitWithFallback(points, degree, result.support, around, fit);
@@ -337,6 +378,30 @@ void keepSide(const Vec3& normal, const std::vector<Vec3>& normals, double cone,
   around.count = kept;
 }
 
+// The direction in which the weighted neighbours spread least about c itself.
+struct LeastSpread {
+  Vec3 direction;
+  double deviation;  // root mean square along it
+  double variation;
+};
+
+LeastSpread leastSpread(const std::vector<Vec3>& points, const Vec3& c,
+                        const ProjectionParameters& parameters, Neighborhood& around) {
+  weigh(points, c, supportRadius(around, localSpacing(around), parameters), around);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  double total = 0;
+  for (int i = 0; i < around.count; ++i) {
+    const Vec3 d = points[around.index[i]] - c;
+    spread.noalias() += around.weight[i] * d * d.transpose();
+    total += around.weight[i];
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(spread);
+  const Vec3 values = solver.eigenvalues().cwiseMax(0.0);
+  const double sum = values.sum();
+  return {solver.eigenvectors().col(0), std::sqrt(values[0] / total), sum > 0 ? values[0] / sum : 0.0};
+}
+
 }  // namespace
 
 MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
@@ -347,8 +412,19 @@ MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& se
 
 Projection MlsSurface::project(const Vec3& x, int degree) const {
   Neighborhood around;
+  Fit fit;
   findNeighbors(search_, x, parameters_, around);
-  return fitProjection(points_, parameters_, residual_limit_, x, degree, localSpacing(around), around);
+  const Projection whole =
+      fitProjection(points_, parameters_, residual_limit_, x, degree, localSpacing(around), around, fit);
+  if (!mayMixSheets(whole.variation, parameters_) ||
+      !mayMixSheets(rmsResidual(points_, fit, whole.support, around), whole.spacing, residual_limit_))
+    return whole;
+  const std::optional<Slab> slab = findSheet(points_, search_, x, whole.spacing, parameters_, around);
+  if (!slab) return whole;
+  Projection sheet =
+      fitProjection(points_, parameters_, residual_limit_, x, degree, localSpacing(around), around, fit);
+  sheet.sheet_gap = slab->gap;
+  return sheet;
 }
 
 Projection MlsSurface::projectSide(const Vec3& x, int degree, const Vec3& normal,
@@ -361,7 +437,8 @@ Projection MlsSurface::projectSide(const Vec3& x, int degree, const Vec3& normal
   const double spacing = std::sqrt(around.squared_distance[nearest - 1]) / std::sqrt(nearest / kPi);
   keepSide(normal, normals, cone, nearest, around);
   if (around.count < kLeastSide) return project(x, degree);
-  return fitProjection(points_, parameters_, residual_limit_, x, degree, spacing, around);
+  Fit fit;
+  return fitProjection(points_, parameters_, residual_limit_, x, degree, spacing, around, fit);
 }
 
 // A first plane leads from the point to the place on the surface below it; what counts is the distance from
@@ -404,16 +481,15 @@ bool MlsSurface::isStray(Index point, double distance) const {
 Vec3 MlsSurface::startFrom(const Vec3& c) const {
   Neighborhood around;
   findNeighbors(search_, c, parameters_, around);
-  weigh(points_, c, supportRadius(around, localSpacing(around), parameters_), around);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < around.count; ++i) {
-    const Vec3 d = points_[around.index[i]] - c;
-    spread.noalias() += around.weight[i] * d * d.transpose();
+  LeastSpread spread = leastSpread(points_, c, parameters_, around);
+  const double spacing = localSpacing(around);
+  if (mayMixSheets(spread.variation, parameters_) &&
+      mayMixSheets(spread.deviation, spacing, residual_limit_)) {
+    if (!findSheet(points_, search_, c, spacing, parameters_, around))
+      findNeighbors(search_, c, parameters_, around);
+    spread = leastSpread(points_, c, parameters_, around);
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(spread);
-  const Vec3 normal = solver.eigenvectors().col(0);
-  return c + meanDifferenceOf(points_, c, around).dot(normal) * normal;
+  return c + meanDifferenceOf(points_, c, around).dot(spread.direction) * spread.direction;
 }
 
 Vec3 MlsSurface::meanDifference(const Vec3& x) const {

@@ -16,6 +16,7 @@
 #include "mlsmesh/core/outliers.h"
 #include "mlsmesh/core/parameter_check.h"
 #include "mlsmesh/core/self_intersections.h"
+#include "sheet_clusters.h"
 #include "side_flips.h"
 #include "troubled_places.h"
 
@@ -101,9 +102,7 @@ void makeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
     mesh.kind.push_back(all.kind[from]);
     mesh.nearest.push_back(all.nearest[from]);
     mesh.parents.push_back({vertex_of[v], vertex_of[v]});
-    const Index* cluster = result.clusters.data(from);
-    members.items.insert(members.items.end(), cluster, cluster + result.clusters.size(from));
-    members.begin.push_back(static_cast<Index>(members.items.size()));
+    members.append(result.clusters.data(from), result.clusters.size(from));
   }
   result.clusters = std::move(members);
   std::vector<Triangle> triangles = triangulation.triangles;
@@ -231,6 +230,15 @@ void clusterAndReduce(const Surroundings& cloud, Context& context, Reconstructio
       reducePoints(cloud.points, cloud.surface(), result.clusters, parameters.reduction, context);
 }
 
+// More representatives where sheets are near each other.
+void divideBetweenSheets(const Surroundings& cloud, const Context& context, Reconstruction& result) {
+  std::optional<DividedClusters> finer =
+      clustersBetweenSheets(cloud.points.position, result.clusters, result.representatives, context);
+  if (!finer) return;
+  reduceDivided(finer->divided, std::move(finer->clusters), cloud.points, cloud.surface(),
+                result.noise.parameters.reduction, context, result.representatives, result.clusters);
+}
+
 // Points that belong to no surface, as far as the representatives tell.
 std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   const OutlierParameters& parameters = result.noise.parameters.outliers;
@@ -264,6 +272,20 @@ void leaveOut(const std::vector<Index>& outliers, Context& context, Surroundings
                        result.representatives, result.clusters);
 }
 
+void removeOutliers(Context& context, Surroundings& cloud, Reconstruction& result) {
+  constexpr int kRounds = 3;      // what one outlier hid, the next round sees,
+  constexpr double kFew = 0.001;  // unless they are so few, of the points, that none hides another
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Index> outliers = outliersOf(cloud, context, result);
+    if (outliers.empty()) return;
+    result.outliers += static_cast<Index>(outliers.size());
+    const bool few = outliers.size() < kFew * static_cast<double>(cloud.points.size());
+    leaveOut(outliers, context, cloud, result);
+    if (few) return;
+  }
+  dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
+}
+
 // Looks for sharp edges in a clean cloud, and reduces again where there are some.
 void keepFeatures(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   MultiresolutionParameters& parameters = result.noise.parameters;
@@ -285,17 +307,8 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruc
   }
   stages.run("reduction", 0.25, [&] { clusterAndReduce(cloud, context, result); });
   stages.run("outliers", 0.3, [&] {
-    constexpr int kRounds = 3;      // what one outlier hid, the next round sees,
-    constexpr double kFew = 0.001;  // unless they are so few, of the points, that none hides another
-    for (int round = 0; round < kRounds; ++round) {
-      const std::vector<Index> outliers = outliersOf(cloud, context, result);
-      if (outliers.empty()) return;
-      result.outliers += static_cast<Index>(outliers.size());
-      const bool few = outliers.size() < kFew * static_cast<double>(cloud.points.size());
-      leaveOut(outliers, context, cloud, result);
-      if (few) return;
-    }
-    dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
+    removeOutliers(context, cloud, result);
+    divideBetweenSheets(cloud, context, result);
   });
   stages.run("features", 0.35, [&] { keepFeatures(cloud, context, result); });
   if (result.noise.drops_crowded) dropCrowded(result.representatives, result.clusters, context);
@@ -308,8 +321,8 @@ void warnOfSeams(const FrontStatistics& front, Context& context) {
                              " edges)");
 }
 
-// Borders move to the rim of the cloud where its points are where they were measured, and borders are to stay:
-// patches go on better from the triangles of the representatives.
+// Borders move to the rim of the cloud where its points are where they were measured, and borders are to
+// stay: patches go on better from the triangles of the representatives.
 void moveBorders(const Surroundings& cloud, const Context& context, Reconstruction& result) {
   const MultiresolutionParameters& parameters = result.noise.parameters;
   const bool stay = parameters.refinement.smooth_borders && !parameters.watertight;
@@ -352,10 +365,11 @@ void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstru
                           result.noise.passes == 0;
   for (int round = 0; may_refine && round < kRounds && !triangulation.troubled.empty(); ++round) {
     const std::vector<char> marked = aroundTrouble(triangulation, result.representatives.size());
-    IndexLists clusters =
-        finerClusters(cloud.points.position, result.clusters, marked, parameters.clustering, context);
-    Representatives representatives =
-        reducePoints(cloud.points, cloud.surface(), clusters, parameters.reduction, context);
+    IndexLists clusters = result.clusters;
+    Representatives representatives = result.representatives;
+    reduceDivided(marked,
+                  finerClusters(cloud.points.position, clusters, marked, parameters.clustering, context),
+                  cloud.points, cloud.surface(), parameters.reduction, context, representatives, clusters);
     if (result.noise.drops_crowded) dropCrowded(representatives, clusters, context);
     std::swap(representatives, result.representatives);
     std::swap(clusters, result.clusters);

@@ -13,6 +13,7 @@
 
 #include "mlsmesh/core/mls_surface.h"
 #include "mlsmesh/core/parallel.h"
+#include "near_sheets.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -26,6 +27,7 @@ constexpr std::array<int, 9> kSizes = {12, 18, 25, 35, 50, 70, 100, 140, 200};
 constexpr double kNoisy = 0.1;      // relative noise from which the support adapts
 constexpr double kVeryNoisy = 0.4;  // from which all points are projected first
 constexpr double kThreePasses = 0.8;
+constexpr double kSheets = 0.5;     // share of the residual on one sheet from which it was sheets, not noise
 constexpr double kNoPlateau = 0.4;  // growth exponent above which the residual is shape, not noise
 
 using Quadric = Eigen::Matrix<double, 6, 1>;
@@ -36,7 +38,7 @@ Quadric basis(double u, double v) {
   return b;
 }
 
-// Residual sqrt(RSS / (k - 6)) of the quadric over the first `count` neighbours, in their principal frame.
+// Residual sqrt(RSS / (k - 6)) of the quadric over these neighbours, in their principal frame.
 double residualOf(const std::vector<Vec3>& points, const Index* neighbors, int count) {
   Vec3 mean = Vec3::Zero();
   const Vec3 reference = points[neighbors[0]];
@@ -71,6 +73,21 @@ double residualOf(const std::vector<Vec3>& points, const Index* neighbors, int c
   return std::sqrt(sum / (count - 6) * reach);
 }
 
+// The same over those of the first `count` that lie on the sheet of the first. Sheets must be farther apart
+// than those that projections tell apart.
+double residualOnSheet(const std::vector<Vec3>& points, const Index* neighbors, int count, double spacing,
+                       double whole) {
+  constexpr double kGap = 1.5;  // of the spacing
+  if (whole < kNoisy * spacing) return whole;
+  const std::optional<Slab> slab = sheetOfFirst(points, neighbors, count, kGap * spacing);
+  if (!slab) return whole;
+  std::vector<Index> sheet;
+  std::copy_if(neighbors, neighbors + count, std::back_inserter(sheet),
+               [&](Index p) { return slab->contains(points[p]); });
+  constexpr std::size_t kLeast = 9;  // points that a quadric does not all but interpolate
+  return sheet.size() < kLeast ? whole : residualOf(points, sheet.data(), static_cast<int>(sheet.size()));
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -81,7 +98,8 @@ double median(std::vector<double> values) {
 // medians.
 struct Medians {
   std::vector<double> residual;  // one a size
-  double relative = 0;           // of the last size, over the local spacing
+  std::vector<double> on_sheet;  // those of one sheet alone
+  double relative = 0;           // on a sheet, of the last size, over the local spacing
   double spacing = 0;
 };
 
@@ -94,7 +112,7 @@ Medians measure(const std::vector<Vec3>& points, const NeighborSearch& search, s
   while (usable < kCount && static_cast<std::size_t>(sizes[usable]) <= points.size()) ++usable;
   Medians medians;
   if (usable == 0) return medians;
-  std::vector<std::vector<double>> residual(usable, std::vector<double>(count));
+  std::vector<std::vector<double>> residual(usable, std::vector<double>(count)), on_sheet = residual;
   std::vector<double> spacing(count);
   const int most = sizes[usable - 1];
   parallelBlocks(context, count, 16, [&](std::size_t first, std::size_t last) {
@@ -104,15 +122,34 @@ Medians measure(const std::vector<Vec3>& points, const NeighborSearch& search, s
       search.nearest(points[i * step], most, neighbors.data(), squared.data());
       const int near = std::min(most, 20);
       spacing[i] = std::sqrt(squared[static_cast<std::size_t>(near - 1)]) / std::sqrt(near / kPi);
-      for (std::size_t j = 0; j < usable; ++j)
+      for (std::size_t j = 0; j < usable; ++j) {
         residual[j][i] = residualOf(points, neighbors.data(), sizes[j]);
+        on_sheet[j][i] = residualOnSheet(points, neighbors.data(), sizes[j], spacing[i], residual[j][i]);
+      }
     }
   });
-  for (std::size_t j = 0; j < usable; ++j) medians.residual.push_back(median(residual[j]));
+  for (std::size_t j = 0; j < usable; ++j) {
+    medians.residual.push_back(median(residual[j]));
+    medians.on_sheet.push_back(median(on_sheet[j]));
+  }
   medians.spacing = median(spacing);
-  for (std::size_t i = 0; i < count; ++i) residual[usable - 1][i] /= spacing[i];
-  medians.relative = median(residual[usable - 1]);
+  for (std::size_t i = 0; i < count; ++i) on_sheet[usable - 1][i] /= spacing[i];
+  medians.relative = median(on_sheet[usable - 1]);
   return medians;
+}
+
+// The residual of the size at which it grows least; of the first where it grows everywhere.
+double atPlateau(const std::vector<double>& residual) {
+  double least_growth = kNoPlateau;
+  double sigma = residual[0];
+  for (std::size_t j = 1; j < residual.size(); ++j) {
+    const double growth =
+        std::log(residual[j] / residual[j - 1]) / std::log(static_cast<double>(kSizes[j]) / kSizes[j - 1]);
+    if (!(growth < least_growth)) continue;  // or both are 0
+    least_growth = growth;
+    sigma = residual[j];
+  }
+  return sigma;
 }
 
 }  // namespace
@@ -121,17 +158,10 @@ NoiseEstimate estimateNoise(const std::vector<Vec3>& points, const NeighborSearc
                             const Context& context) {
   const Medians look = measure(points, search, kFirstSample, std::array<int, 1>{kFirstLook}, context);
   if (look.residual.empty()) return {};
-  if (look.relative < kClean) return {look.residual[0], look.relative};
+  if (look.relative < kClean) return {look.on_sheet[0], look.relative};
   const Medians medians = measure(points, search, kSample, kSizes, context);
-  double least_growth = kNoPlateau;
-  double sigma = medians.residual[0];
-  for (std::size_t j = 1; j < medians.residual.size(); ++j) {
-    const double growth = std::log(medians.residual[j] / medians.residual[j - 1]) /
-                          std::log(static_cast<double>(kSizes[j]) / kSizes[j - 1]);
-    if (growth >= least_growth) continue;
-    least_growth = growth;
-    sigma = medians.residual[j];
-  }
+  const double whole = atPlateau(medians.residual), on_sheet = atPlateau(medians.on_sheet);
+  const double sigma = on_sheet < kSheets * whole ? on_sheet : whole;
   return {sigma, sigma / medians.spacing};
 }
 

@@ -145,7 +145,7 @@ SelfIntersections::Box SelfIntersections::boxOf(Index triangle) const {
 SelfIntersections::SelfIntersections(const std::vector<Vec3>& position,
                                      const std::vector<Triangle>& triangles, const Context& context,
                                      const HalfEdgeMesh* mesh)
-    : position_(position), triangles_(triangles), context_(context) {
+    : position_(position), triangles_(triangles), context_(context), knows_edges_(mesh != nullptr) {
   const std::size_t count = triangles.size();
   orderByPlace();
   rank_.resize(count);
@@ -244,7 +244,8 @@ bool SelfIntersections::meet(Index a, Index b) const {
       if (u == v && spread_[u] != 0) return false;
     }
   }
-  return trianglesMeet(position_, triangles_[a], triangles_[b], view_[a].widest);
+  return trianglesMeet(position_, triangles_[a], triangles_[b], view_[a].widest) ||
+         (knows_edges_ && doubleAnEdge(position_, triangles_[a], triangles_[b]));
 }
 
 // Visits the runs of triangles from `first_run` on with the lanes in which boxes overlap the box.

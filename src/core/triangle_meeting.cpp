@@ -166,6 +166,17 @@ int widestAxis(const Vec3& a, const Vec3& b, const Vec3& c) {
   return axis;
 }
 
+bool doubleAnEdge(const std::vector<Vec3>& position, const Triangle& first, const Triangle& second) {
+  int same_places = 0, same_vertices = 0;
+  for (const Index u : first) {
+    for (const Index v : second) {
+      same_vertices += u == v ? 1 : 0;
+      same_places += position[u] == position[v] ? 1 : 0;
+    }
+  }
+  return same_places >= 2 && same_places > same_vertices;
+}
+
 bool trianglesMeet(const std::vector<Vec3>& position, const Triangle& first, const Triangle& second,
                    int axis) {
   const Pair pair = matched(position, first, second);

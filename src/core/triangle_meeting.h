@@ -14,4 +14,8 @@ int widestAxis(const Vec3& a, const Vec3& b, const Vec3& c);
 bool trianglesMeet(const std::vector<Vec3>& position, const Triangle& first, const Triangle& second,
                    int axis);
 
+/// Whether the triangles have two corners or more at equal positions that are not the same vertices: an edge
+/// of one lies on one of the other, and is none that they share.
+bool doubleAnEdge(const std::vector<Vec3>& position, const Triangle& first, const Triangle& second);
+
 }  // namespace mlsmesh::core

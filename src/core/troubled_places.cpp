@@ -27,16 +27,12 @@ IndexLists finerClusters(const std::vector<Vec3>& points, const IndexLists& clus
                          const std::vector<char>& marked, const ClusteringParameters& parameters,
                          const Context& context) {
   IndexLists finer;
-  const auto add = [&](const Index* members, Index count) {
-    finer.items.insert(finer.items.end(), members, members + count);
-    finer.begin.push_back(static_cast<Index>(finer.items.size()));
-  };
   std::vector<Index> freed;
   for (Index c = 0; c < clusters.count(); ++c) {
     if (marked[c])
       freed.insert(freed.end(), clusters.data(c), clusters.data(c) + clusters.size(c));
     else
-      add(clusters.data(c), clusters.size(c));
+      finer.append(clusters.data(c), clusters.size(c));
   }
   if (freed.empty()) return finer;
   std::sort(freed.begin(), freed.end());
@@ -49,7 +45,7 @@ IndexLists finerClusters(const std::vector<Vec3>& points, const IndexLists& clus
   for (Index part = 0; part < parts.count(); ++part) {
     std::vector<Index> members;
     for (Index i = 0; i < parts.size(part); ++i) members.push_back(freed[parts.data(part)[i]]);
-    add(members.data(), static_cast<Index>(members.size()));
+    finer.append(members.data(), static_cast<Index>(members.size()));
   }
   return finer;
 }

@@ -83,7 +83,7 @@ struct Refined {
   }
 
   std::int64_t pairs() const { return SelfIntersections(mesh.position, triangles, Context()).count(); }
-  std::int64_t guard() { return guardIntersections(points, level, Context(), mesh, triangles); }
+  std::size_t guard() { return guardIntersections(points, level, Context(), mesh, triangles).size(); }
 };
 
 void expectSound(const Refined& refined) {
@@ -97,7 +97,7 @@ TEST(IntersectionGuard, LeavesASoundLevelAlone) {
   Refined refined(test::together(sheet(6, 0), sheet(6, 1)));
   refined.displace(0.2, 1);
   const RefinedMesh before = refined.mesh;
-  EXPECT_EQ(refined.guard(), 0);
+  EXPECT_EQ(refined.guard(), 0u);
   EXPECT_EQ(refined.mesh.position, before.position);
   EXPECT_EQ(refined.mesh.kind, before.kind);
   EXPECT_EQ(refined.triangles, refined.level.unflipped);
@@ -109,7 +109,7 @@ TEST(IntersectionGuard, PullsSheetsApart) {
     refined.displace(0.2, seed);
     const RefinedMesh before = refined.mesh;
     ASSERT_GT(refined.pairs(), 0);
-    EXPECT_EQ(refined.guard(), 0);
+    EXPECT_EQ(refined.guard(), 0u);
     EXPECT_EQ(refined.pairs(), 0);
     expectSound(refined);
     Index pulled = 0;
@@ -136,7 +136,7 @@ TEST(IntersectionGuard, TakesBackFlips) {
     refined.flipAtRandom(400, seed);
     const std::vector<Triangle> flipped = refined.triangles;
     ASSERT_GT(refined.pairs(), 0);
-    EXPECT_EQ(refined.guard(), 0);
+    EXPECT_EQ(refined.guard(), 0u);
     EXPECT_EQ(refined.pairs(), 0);
     expectSound(refined);
     EXPECT_NE(refined.triangles, flipped);
@@ -148,7 +148,7 @@ TEST(IntersectionGuard, TakesBackFlipsThatWouldDoubleAnEdge) {
     Refined refined(test::tetrahedron());
     refined.displace(0.1, seed);
     refined.flipAtRandom(12, seed);
-    EXPECT_EQ(refined.guard(), 0) << seed;
+    EXPECT_EQ(refined.guard(), 0u) << seed;
     expectSound(refined);
   }
 }

@@ -73,6 +73,7 @@ TEST(ForgetMembers, RenumbersTheRestAndMarksWhatSawThem) {
   all.normal.assign(3, Vec3::UnitZ());
   all.variation.assign(3, 0);
   all.spacing.assign(3, 1);
+  all.sheet_gap.assign(3, 10);
   all.nearest = {0, 1, 4};
   all.kind.assign(3, VertexKind::Projected);
   IndexLists clusters;

@@ -190,6 +190,19 @@ TEST(SelfIntersections, TheMeshChangesNothingButTheTime) {
   }
 }
 
+TEST(SelfIntersections, TheMeshTellsDoubledEdges) {
+  // Two sheets of two triangles along one line: as a soup they share its edge, as a mesh each has its own.
+  Soup soup{{{0, 0, 0}, {4, 0, 0}, {0, 4, 1}, {0, -4, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, -1}, {0, -4, -1}},
+            {{0, 1, 2}, {1, 0, 3}, {5, 4, 6}, {4, 5, 7}}};
+  EXPECT_TRUE(pairsOf(soup).empty());
+  HalfEdgeMesh mesh;
+  ASSERT_TRUE(buildMesh(soup.vertexCount(), soup.triangles, mesh));
+  const auto pairs = SelfIntersections(soup.vertices, soup.triangles, Context(), &mesh).all();
+  EXPECT_EQ(pairs, (std::vector<TrianglePair>{{0, 2}, {0, 3}, {1, 2}, {1, 3}}));
+  soup.vertices[5] = {5, 0, 0};  // one corner alone is shared
+  EXPECT_EQ(SelfIntersections(soup.vertices, soup.triangles, Context(), &mesh).count(), pairsOf(soup).size());
+}
+
 TEST(SelfIntersections, KnowsABorderFromAClosedFan) {
   // A spiral staircase around one vertex: every step faces up, but it turns more than once.
   Soup stairs;

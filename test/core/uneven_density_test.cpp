@@ -23,6 +23,7 @@ Reconstruction meshOf(const Points& world, bool reduce) {
   Context context;
   MultiresolutionParameters parameters;
   parameters.reduce = reduce;
+  parameters.refinement.levels = reduce ? 2 : 1;
   return reconstruct(makePointSet(world, StoredAs::Double, nullptr, context), nullptr, parameters, context);
 }
 
@@ -87,7 +88,7 @@ TEST_P(UnevenShape, LayersOfScansThatDoNotQuiteAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, UnevenShape,
-                         testing::Combine(testing::Values("sphere", "torus"), testing::Values(1, 2, 3)),
+                         testing::Combine(testing::Values("sphere", "torus"), testing::Values(1, 2)),
                          [](const auto& instance) {
                            return std::string(std::get<0>(instance.param)) +
                                   std::to_string(std::get<1>(instance.param));
@@ -116,7 +117,7 @@ TEST(Uneven, ScanLinesSevenTimesAsFarApartAsTheirPoints) {
   for (const double apart : {2.0, 4.0, 7.0}) {
     for (const double jitter : {0.0, 0.4, 1.0}) {
       SCOPED_TRACE(testing::Message() << apart << " apart, jitter " << jitter);
-      expectShapeOf(*torus, linesOnATorus(240, apart, jitter, 1));
+      expectShapeOf(*torus, linesOnATorus(160, apart, jitter, 1));
     }
   }
 }

@@ -13,6 +13,7 @@ struct Representatives {
   std::vector<Vec3> normal;       ///< unit, sign arbitrary
   std::vector<double> variation;  ///< surface variation sigma of the cluster's surroundings
   std::vector<double> spacing;    ///< local spacing of the input there
+  std::vector<double> sheet_gap;  ///< to the nearest other sheet, where the projection saw one; or infinite
   std::vector<Index> nearest;     ///< point of the set nearest to the representative
   std::vector<VertexKind> kind;
   std::vector<Index> crease;  ///< number of the crease vertex, or kNone; empty if there are none
@@ -33,6 +34,12 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
 void renewRepresentatives(const std::vector<char>& which, const PointSet& points, const MlsSurface& surface,
                           const ReductionParameters& parameters, const Context& context,
                           Representatives& representatives, IndexLists& clusters);
+
+/// As reducePoints without features for the clusters `finer`, whose first ones, in their order, are those
+/// that have a representative and are not `divided`: these keep it.
+void reduceDivided(const std::vector<char>& divided, IndexLists finer, const PointSet& points,
+                   const MlsSurface& surface, const ReductionParameters& parameters, const Context& context,
+                   Representatives& representatives, IndexLists& clusters);
 
 /// Drops the representatives whose `keep` is 0, with their clusters.
 void dropRepresentatives(const std::vector<char>& keep, Representatives& representatives,

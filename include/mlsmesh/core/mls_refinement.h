@@ -23,8 +23,8 @@ struct RefinedMesh {
   /// Pairs of triangles of a level that meet where they should not (self_intersections.h), where counted: at
   /// every level that addLevel made.
   std::vector<std::optional<std::int64_t>> level_intersections;
-  /// Inner edges that the finest level has from the one before, because their midpoints already lie on the surface:
-  /// they are not tested again. Pairs of vertices, the lower first, ascending.
+  /// Inner edges that the finest level has from the one before, because their midpoints already lie on the
+  /// surface: they are not tested again. Pairs of vertices, the lower first, ascending.
   std::vector<std::array<Index, 2>> flat_edges;
 
   Index levelCount() const { return static_cast<Index>(level_vertices.size()); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "mlsmesh/core/neighbor_search.h"
 #include "mlsmesh/parameters.h"
 
@@ -24,8 +26,9 @@ struct Projection {
   Vec3 normal;    ///< unit, of the fitted polynomial at Psi(x), sign arbitrary
   double variation =
       0;  ///< surface variation lambda_1 / (lambda_1 + lambda_2 + lambda_3) of the weighted neighbours
-  double spacing = 0;     ///< local spacing d_k / sqrt(k / pi) at x
-  double support = 0;     ///< h
+  double spacing = 0;                                          ///< local spacing d_k / sqrt(k / pi) at x
+  double support = 0;                                          ///< h
+  double sheet_gap = std::numeric_limits<double>::infinity();  ///< to the nearest sheet left out of the fit
   Vec3 mean_difference;   ///< (1/k) sum (p - x): along n it is the paper's t_min (n = n_c) or alpha (n = n_m)
   Index nearest = kNone;  ///< point nearest to Psi(x) among the neighbours of x
   VertexKind kind = VertexKind::Projected;

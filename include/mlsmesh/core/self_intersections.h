@@ -17,7 +17,9 @@ using TrianglePair = std::array<Index, 2>;
 class SelfIntersections {
  public:
   /// Corners must be vertices. `mesh`, if not null, is the mesh of these triangles, numbered alike; where it
-  /// has none alive, the triangle must be degenerate. It is only read here, and makes searches faster. O(n log n). Throws Failure(Cancelled), as do the searches.
+  /// has none alive, the triangle must be degenerate. It is only read here, makes searches faster, and tells
+  /// edges from others at the same place: two triangles with such meet too. O(n log n). Throws
+  /// Failure(Cancelled), as do the searches.
   SelfIntersections(const std::vector<Vec3>& position, const std::vector<Triangle>& triangles,
                     const Context& context, const HalfEdgeMesh* mesh = nullptr);
 
@@ -75,6 +77,7 @@ class SelfIntersections {
   std::vector<Index> order_;          // triangles by place
   std::vector<Index> rank_;           // where a triangle is in the order
   std::vector<View> view_;            // of every triangle
+  bool knows_edges_;                  // as those of a mesh
   std::vector<std::uint8_t> spread_;  // vertices that keep their triangles apart, as far as known
   std::vector<std::vector<Run>>
       levels_;  // of the triangles in their order, of those runs, of their runs, ...

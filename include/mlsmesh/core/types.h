@@ -22,6 +22,10 @@ struct IndexLists {
   Index count() const { return static_cast<Index>(begin.size()) - 1; }
   Index size(Index list) const { return begin[list + 1] - begin[list]; }
   const Index* data(Index list) const { return items.data() + begin[list]; }
+  void append(const Index* list, Index size) {
+    items.insert(items.end(), list, list + size);
+    begin.push_back(static_cast<Index>(items.size()));
+  }
 };
 
 }  // namespace mlsmesh::core
