@@ -268,25 +268,19 @@ bool mayMixSheets(double variation, const ProjectionParameters& parameters) {
   return variation >= kMixed && parameters.method == ProjectionMethod::OneStep;
 }
 
-bool mayMixSheets(double residual, double spacing, double residual_limit) {
-  constexpr double kMissed = 0.15;  // local spacings
-  return residual > std::max(kMissed * spacing, 2 * residual_limit);
+bool mayMixSheets(double residual, double least, double residual_limit) {
+  return residual > std::max(least, 2 * residual_limit);
 }
 
-// The neighbours of x on the sheet of the nearest one; none, and the neighbours of all sheets in any number,
-// where no other is told from it.
+// Makes the neighbours of x those on the sheet of the nearest one; none, and they stay, where no other is
+// told from it.
 std::optional<Slab> findSheet(const std::vector<Vec3>& points, const NeighborSearch& search, const Vec3& x,
                               double spacing, const ProjectionParameters& parameters, Neighborhood& around) {
   constexpr double kAir = 1.5;  // local spacings between sheets
-  constexpr int kEnough = 40;   // neighbours in which sheets show
-  const auto find = [&](int count) {
-    around.count = search.nearest(x, std::min(count, kMaxNeighbors), around.index.data(),
-                                  around.squared_distance.data());
-  };
-  if (parameters.neighbors < kEnough) find(kEnough);
   const std::optional<Slab> slab = sheetOfFirst(points, around.index.data(), around.count, kAir * spacing);
   if (!slab) return slab;
-  if (parameters.neighbors > kEnough / 2) find(2 * parameters.neighbors);
+  const int wanted = std::min(2 * parameters.neighbors, kMaxNeighbors);
+  around.count = search.nearest(x, wanted, around.index.data(), around.squared_distance.data());
   keepWithin(points, *slab, parameters.neighbors, around);
   return slab;
 }
@@ -411,13 +405,15 @@ MlsSurface::MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& se
 }
 
 Projection MlsSurface::project(const Vec3& x, int degree) const {
+  constexpr double kMissed = 0.15;  // local spacings
   Neighborhood around;
   Fit fit;
   findNeighbors(search_, x, parameters_, around);
   const Projection whole =
       fitProjection(points_, parameters_, residual_limit_, x, degree, localSpacing(around), around, fit);
   if (!mayMixSheets(whole.variation, parameters_) ||
-      !mayMixSheets(rmsResidual(points_, fit, whole.support, around), whole.spacing, residual_limit_))
+      !mayMixSheets(rmsResidual(points_, fit, whole.support, around), kMissed * whole.spacing,
+                    residual_limit_))
     return whole;
   const std::optional<Slab> slab = findSheet(points_, search_, x, whole.spacing, parameters_, around);
   if (!slab) return whole;
@@ -479,14 +475,14 @@ bool MlsSurface::isStray(Index point, double distance) const {
 }
 
 Vec3 MlsSurface::startFrom(const Vec3& c) const {
+  constexpr double kMissed = 0.25;  // local spacings; a plane misses more than a polynomial
   Neighborhood around;
   findNeighbors(search_, c, parameters_, around);
   LeastSpread spread = leastSpread(points_, c, parameters_, around);
   const double spacing = localSpacing(around);
   if (mayMixSheets(spread.variation, parameters_) &&
-      mayMixSheets(spread.deviation, spacing, residual_limit_)) {
-    if (!findSheet(points_, search_, c, spacing, parameters_, around))
-      findNeighbors(search_, c, parameters_, around);
+      mayMixSheets(spread.deviation, kMissed * spacing, residual_limit_) &&
+      findSheet(points_, search_, c, spacing, parameters_, around)) {
     spread = leastSpread(points_, c, parameters_, around);
   }
   return c + meanDifferenceOf(points_, c, around).dot(spread.direction) * spread.direction;

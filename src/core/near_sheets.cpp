@@ -17,7 +17,7 @@ constexpr std::size_t kLeastPoints = 6;
 constexpr std::array<std::size_t, 3> kNearest = {7, 11, 16};  // that are on one sheet, hopefully
 constexpr double kScatter = 0.25;                             // of a sheet along its normal, in gaps
 constexpr double kAcross = 0.9;  // cosine between the normal of a sheet and the axis that it was found by
-constexpr double kAside = 0.6;   // distance of the sheets' centroids along them, in radii of gyration
+constexpr double kAside = 0.8;   // distance of the sheets' centroids along them, in radii of gyration
 constexpr double kLine = 0.05;   // ratio of the spreads in a sheet below which it is a line
 
 using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
