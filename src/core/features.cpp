@@ -30,15 +30,16 @@ constexpr double kRoughPoint = 0.03;    // misfit in local spacings above which 
 constexpr int kZone = 17;               // nearest points that a foot's point brings into the zone
 constexpr double kPi = 3.14159265358979323846;
 
-// Misfits around each cluster's centroid, in local spacings; 0 where the surface is flat.
+// Misfits around the centroid of every `step`-th cluster, in local spacings; 0 where the surface is flat, and
+// of the others.
 std::vector<Misfit> clusterMisfits(const std::vector<Vec3>& points, const NeighborSearch& search,
                                    const IndexLists& clusters, const std::vector<double>& variation,
-                                   const Context& context) {
+                                   std::size_t step, const Context& context) {
   std::vector<Misfit> misfit(static_cast<std::size_t>(clusters.count()));
   parallelBlocks(context, misfit.size(), 256, [&](std::size_t first, std::size_t last) {
     std::array<Index, kClusterNeighbors> nearest;
     std::array<double, kClusterNeighbors> squared_distance;
-    for (std::size_t c = first; c < last; ++c) {
+    for (std::size_t c = (first + step - 1) / step * step; c < last; c += step) {
       if (variation[c] < kFlatCluster) continue;
       const Index* members = clusters.data(static_cast<Index>(c));
       const Index size = clusters.size(static_cast<Index>(c));
@@ -115,17 +116,13 @@ Creases feetOf(const std::vector<Index>& candidates, double cosine, SparseNeighb
   return {std::move(rough.points), std::move(feet)};
 }
 
-// Whether a quarter of the candidates, in cluster-sized runs, holds too few feet that are clearly sharp for
-// enough of all to be kept, by a factor of two: most clouds without sharp edges are left here.
-bool areHopeless(const std::vector<Index>& candidates, double cosine, SparseNeighbors& neighbors,
+// Whether the points of folded clusters, of a sample of all clusters, hold too few feet that are clearly
+// sharp for enough of all to be kept, by a third: most clouds without sharp edges are left here.
+bool areHopeless(const std::vector<Index>& sample, double cosine, SparseNeighbors& neighbors,
                  RobustNormals& normals, const Context& context) {
-  constexpr std::size_t kRun = 12, kStride = 4 * kRun, kLeast = 8 * kStride;
-  constexpr double kHopeless = 0.5 * kConfirmed * kSharpShare;
-  if (candidates.size() < kLeast) return false;
-  std::vector<Index> sample;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (i % kStride < kRun) sample.push_back(candidates[i]);
-  }
+  constexpr std::size_t kLeast = 40;
+  constexpr double kHopeless = 0.75 * kConfirmed * kSharpShare;
+  if (sample.size() < kLeast) return false;
   const Creases tried = feetOf(sample, cosine, neighbors, normals, context);
   const auto sharp = std::count_if(tried.feet.begin(), tried.feet.end(), isClearlySharp);
   return static_cast<double>(sharp) < kHopeless * static_cast<double>(sample.size());
@@ -153,12 +150,15 @@ Features detectFeatures(const PointSet& set, const NeighborSearch& search, const
   Features features;
   const std::vector<Vec3>& points = set.position;
   if (!parameters.detect || set.size() < kLeastPoints) return features;
-  const std::vector<Misfit> misfit = clusterMisfits(points, search, clusters, variation, context);
   SparseNeighbors neighbors(points, search, kNeighbors);
   RobustNormals normals(neighbors);
   const double cosine = std::cos(parameters.angle * kPi / 180);
+  constexpr std::size_t kSampleStep = 4;
+  const std::vector<Misfit> some = clusterMisfits(points, search, clusters, variation, kSampleStep, context);
+  if (areHopeless(membersWhere(isFolded, some, clusters), cosine, neighbors, normals, context))
+    return features;
+  const std::vector<Misfit> misfit = clusterMisfits(points, search, clusters, variation, 1, context);
   const std::vector<Index> folded = membersWhere(isFolded, misfit, clusters);
-  if (areHopeless(folded, cosine, neighbors, normals, context)) return features;
   const Creases sure = creasesAmong(folded, cosine, neighbors, normals, context);
   if (sure.points.empty() || sure.points.size() < kConfirmed * folded.size()) return features;
   const Creases creases =
