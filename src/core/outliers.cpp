@@ -80,15 +80,6 @@ Groups linkedGroups(const OutlierParameters& parameters, const Representatives& 
   return groups;
 }
 
-// How far a member of a cluster must be from the plane of its representative to be suspect, the cheap test
-// before the fit. A plane that strays have turned, or that was refused, tells nothing.
-double suspectOffset(const Representatives& all, Index cluster) {
-  constexpr double kSuspect = 0.5;  // local spacings
-  constexpr double kUneven = 0.03;  // surface variation
-  const bool vague = all.kind[cluster] == VertexKind::InputPoint || all.variation[cluster] > kUneven;
-  return vague ? 0.0 : kSuspect * all.spacing[cluster];
-}
-
 bool reaches(const NeighborSearch& search, const Vec3& place, double distance) {
   Index nearest = kNone;
   double squared_distance = 0;
@@ -137,28 +128,6 @@ std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representat
   dropRepresentatives(keep, representatives, clusters);
   std::sort(dropped.begin(), dropped.end());
   return dropped;
-}
-
-std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface& surface,
-                               const Representatives& representatives, const IndexLists& clusters,
-                               const Context& context) {
-  constexpr double kStray = 0.75;  // local spacings off the surface of the neighbours
-  std::vector<char> stray(points.size(), 0);
-  parallelBlocks(
-      context, static_cast<std::size_t>(clusters.count()), 512, [&](std::size_t first, std::size_t last) {
-        for (Index c = static_cast<Index>(first); c < static_cast<Index>(last); ++c) {
-          const double limit = suspectOffset(representatives, c);
-          for (const Index* p = clusters.data(c); p != clusters.data(c) + clusters.size(c); ++p) {
-            const double off = (points[*p] - representatives.position[c]).dot(representatives.normal[c]);
-            stray[*p] = std::abs(off) >= limit && surface.isStray(*p, kStray);
-          }
-        }
-      });
-  std::vector<Index> found;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (stray[p]) found.push_back(static_cast<Index>(p));
-  }
-  return found;
 }
 
 std::vector<char> forgetMembers(const std::vector<Index>& removed, const std::vector<Vec3>& removed_position,

@@ -47,11 +47,6 @@ class MlsSurface {
   /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
   Projection project(const Vec3& x) const { return project(x, parameters_.degree); }
   Projection project(const Vec3& x, int degree) const;
-  /// Whether point number `point` lies farther from the surface below it, fitted without it and without the
-  /// neighbours that it misses most, than `distance` local spacings and six times the median residual of that
-  /// fit, with no more than two points nearer to it than that surface: a stray that should not shape the
-  /// surface. Never with fewer than 12 neighbours. Two searches and three fits; one of each where it is near.
-  bool isStray(Index point, double distance) const;
   /// Psi(x) from the points of one side alone: of twice as many neighbours, the nearest whose normal is
   /// within arccos(cone) of `normal` (either sign) or unknown (zero). The spacing is that of all. All of the
   /// nearest where the side has too few.

@@ -13,9 +13,10 @@ namespace mlsmesh::core {
 std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
                                 IndexLists& clusters, const Context& context);
 
-/// Points off the surface that their cluster's representative lies on: farther from its tangent plane than
-/// most, or in a cluster too uneven for that test, and strays by MlsSurface::isStray. Ascending.
-/// One pass over the points; fits for those suspect.
+/// Points off the surface below them, ascending: farther from the tangent plane of their cluster's
+/// representative than most, or in a cluster too uneven for that test, and then farther than 0.75 local
+/// spacings and six times the median residual from a surface fitted without them. One pass over the points;
+/// fits for those suspect.
 std::vector<Index> strayPoints(const std::vector<Vec3>& points, const MlsSurface& surface,
                                const Representatives& representatives, const IndexLists& clusters,
                                const Context& context);
