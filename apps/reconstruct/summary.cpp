@@ -147,14 +147,14 @@ std::string healingText(const core::FrontStatistics& front) {
   const core::HealingStatistics& healing = *front.healing;
   const core::Index mended = healing.repaired_places + healing.opened_places;
   if (mended + healing.cut_handles + healing.filled_loops == 0) return {};
-  return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n", mended,
-                   healing.opened_places, healing.cut_handles, healing.filled_loops);
+  return formatted("mended: %d places where triangles met (%d left a hole), %d false handles, %d gaps\n",
+                   mended, healing.opened_places, healing.cut_handles, healing.filled_loops);
 }
 
 std::string seamText(const core::FrontStatistics& front) {
   if (front.seams == 0) return {};
-  return formatted("cut open along %d seams (%d edges), where the orientation does not go on\n", front.seams,
-                   front.seam_edges);
+  return formatted("seams, where the orientation does not go on and the mesh is cut open: %d (%d edges)\n",
+                   front.seams, front.seam_edges);
 }
 
 std::string levelRow(const RunReport& report, core::Index level) {

@@ -105,9 +105,9 @@ void turnToSides(const Context& context, Reconstruction& result) {
 
 void warnOfSeams(const FrontStatistics& front, Context& context) {
   if (front.seams == 0) return;
-  context.warnings.push_back("the cloud is one-sided or contradictory: it was cut open along " +
-                             std::to_string(front.seams) + " seams (" + std::to_string(front.seam_edges) +
-                             " edges)");
+  context.warnings.push_back(
+      "the cloud is one-sided or contradictory: it was cut open (seams: " + std::to_string(front.seams) +
+      ", edges along them: " + std::to_string(front.seam_edges) + ")");
 }
 
 // Borders move to the rim of the cloud where its points are where they were measured, and borders are to
@@ -196,8 +196,8 @@ void closeHolesOf(const Surroundings& cloud, Context& context, Reconstruction& r
     result.clusters.begin.push_back(result.clusters.begin.back());
   }
   if (result.patches.open_loops > 0) {
-    context.warnings.push_back(std::to_string(result.patches.open_loops) +
-                               " holes stay open: no patch over them keeps clear of the mesh");
+    context.warnings.push_back("holes that stay open, because no patch over them keeps clear of the mesh: " +
+                               std::to_string(result.patches.open_loops));
   }
 }
 
