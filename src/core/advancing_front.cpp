@@ -24,6 +24,7 @@
 #include "overlap_tests.h"
 #include "pinches.h"
 #include "seams.h"
+#include "wide_neighbors.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -279,9 +280,14 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
                           const Context& context) {
   std::vector<Vec3> points = input.points;
   const auto own_search = input.search ? nullptr : makeKdTree(points);
-  const NeighborTable neighbors =
-      nearestOfAll(points, input.search ? *input.search : *own_search, parameters.neighbors, context);
-  const std::vector<double> spacing = localSpacings(points, neighbors, context);
+  const NeighborSearch& search = input.search ? *input.search : *own_search;
+  NeighborTable neighbors = nearestOfAll(points, search, parameters.neighbors, context);
+  std::vector<double> spacing = localSpacings(points, neighbors, context);
+  std::vector<char> on_line;
+  std::vector<Vec3> normals =
+      input.normals ? *input.normals : tangentNormals(points, neighbors, context, &on_line);
+  if (std::find(on_line.begin(), on_line.end(), 1) != on_line.end())
+    widenLines(points, on_line, search, context, neighbors, spacing, normals);
   std::vector<double> cloud_spacing = input.cloud_spacing ? *input.cloud_spacing : spacing;
   std::vector<Index> cloud_nearest = input.cloud_nearest ? *input.cloud_nearest : std::vector<Index>();
   CloudSupport support;
@@ -293,7 +299,6 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
 
   Triangulation result;
   HalfEdgeMesh mesh(static_cast<Index>(points.size()));
-  std::vector<Vec3> normals = input.normals ? *input.normals : tangentNormals(points, neighbors, context);
   growFronts(front_input, normals, parameters, context, mesh, result.statistics);
 
   const FillLimits limits{

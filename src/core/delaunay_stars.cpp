@@ -215,8 +215,10 @@ Triangle orientedAgainst(Triangle triangle, Index v, Index w) {
 }  // namespace
 
 std::vector<Vec3> tangentNormals(const std::vector<Vec3>& points, const NeighborTable& neighbors,
-                                 const Context& context) {
+                                 const Context& context, std::vector<char>* on_line) {
+  constexpr double kLine = 0.1;  // ratio of the spreads
   std::vector<Vec3> normals(points.size());
+  if (on_line) on_line->assign(points.size(), 0);
   const int count = std::min(kNormalNeighbors, neighbors.k);
   parallelBlocks(context, points.size(), 2048, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -232,6 +234,8 @@ std::vector<Vec3> tangentNormals(const std::vector<Vec3>& points, const Neighbor
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
       solver.computeDirect(covariance);
       normals[i] = solver.eigenvectors().col(0);
+      const Vec3 spread = solver.eigenvalues();
+      if (on_line) (*on_line)[i] = spread[1] < kLine * spread[2];
     }
   });
   return normals;

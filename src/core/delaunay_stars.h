@@ -11,9 +11,11 @@ namespace mlsmesh::core {
 /// triangle with the point; kNone stands where the star is open.
 using StarRings = IndexLists;
 
-/// Unit normals (sign arbitrary) of the plane through each point and its nearest neighbours.
+/// Unit normals (sign arbitrary) of the plane through each point and its nearest neighbours. `on_line`, if
+/// not null, gets 1 for each point that these lie on a line with, or on an arc, so that the plane means
+/// little.
 std::vector<Vec3> tangentNormals(const std::vector<Vec3>& points, const NeighborTable& neighbors,
-                                 const Context& context);
+                                 const Context& context, std::vector<char>* on_line = nullptr);
 
 /// Stars of all points, in parallel. No edge is longer than length_factor * the larger local spacing of its
 /// ends.
