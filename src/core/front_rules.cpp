@@ -69,9 +69,9 @@ void FrontRules::addCandidates(Index half_edge, const Index* row, std::vector<Ca
   const double limit = lengthLimit(u, v);
   for (int i = 0; i < input_.neighbors.k; ++i) {
     const Index t = row[i];
-    if (t == u || t == v || t == s) continue;
+    if (t == u || t == v || t == s || isInterior(t)) continue;
     const double longest = std::max((p[t] - p[u]).norm(), (p[t] - p[v]).norm());
-    if (longest > limit || !mesh_.canAdd(v, u, t) || mesh_.isInterior(t)) continue;
+    if (longest > limit || !mesh_.canAdd(v, u, t)) continue;
     const Vec3 area = (p[u] - p[v]).cross(p[t] - p[v]);
     const double widest = std::max(longest, (p[u] - p[v]).norm());
     if (area.norm() <= kSliver * widest * widest) continue;
@@ -106,7 +106,12 @@ Apex FrontRules::best(Index half_edge) const {
 bool FrontRules::isLegal(Index half_edge, Index apex) const {
   const Index u = mesh_.origin(half_edge);
   const Index v = mesh_.target(half_edge);
-  return mesh_.canAdd(v, u, apex) && !mesh_.isInterior(apex) && !overlaps(u, v, apex);
+  return mesh_.canAdd(v, u, apex) && !isInterior(apex) && !overlaps(u, v, apex);
+}
+
+bool FrontRules::isInterior(Index vertex) const {
+  if (!interior_[vertex]) interior_[vertex] = mesh_.isInterior(vertex);
+  return interior_[vertex] != 0;
 }
 
 bool FrontRules::overlaps(Index u, Index v, Index apex) const {
@@ -119,8 +124,10 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
   for (const Index corner : triangle.corner) {
     const Index* row = input_.neighbors.row(corner);
     for (int i = 0; i < input_.neighbors.k; ++i) {
-      if (containsPoint(mesh_, p, triangle, row[i])) return true;
-      if (mesh_.isUsed(row[i]) && crossesBorderAt(mesh_, p, triangle, row[i])) return true;
+      const Index near = row[i];
+      if (isInterior(near)) continue;  // the mesh goes on around it: it is no obstacle
+      if (containsPoint(mesh_, p, triangle, near)) return true;
+      if (mesh_.isUsed(near) && crossesBorderAt(mesh_, p, triangle, near)) return true;
     }
   }
   return false;

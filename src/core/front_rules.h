@@ -23,12 +23,16 @@ struct Apex {
 };
 
 /// Decides which triangle may follow on a border half-edge u -> v: candidates, angle windows, length limit,
-/// and the tests that keep the mesh from overlapping itself. Reads the mesh, never changes it. The same call
-/// on the same mesh gives the same bits, so a queue entry can be checked again when it is popped.
+/// and the tests that keep the mesh from overlapping itself. Reads the mesh, never changes it; between calls
+/// triangles may be added to it, not taken. The same call on the same mesh gives the same bits, so a queue
+/// entry can be checked again when it is popped. Not thread-safe: it remembers which vertices are interior.
 class FrontRules {
  public:
   FrontRules(const FrontInput& input, const HalfEdgeMesh& mesh, const TriangulationParameters& parameters)
-      : input_(input), mesh_(mesh), parameters_(parameters) {}
+      : input_(input),
+        mesh_(mesh),
+        parameters_(parameters),
+        interior_(static_cast<std::size_t>(mesh.vertexCount()), 0) {}
 
   /// Best legal apex for the triangle (v, u, apex).
   Apex best(Index half_edge) const;
@@ -49,10 +53,12 @@ class FrontRules {
   double scoreOf(Index u, Index v, Index apex, double bend) const;
   double bendOf(Index half_edge, const Vec3& normal) const;
   bool overlaps(Index u, Index v, Index apex) const;
+  bool isInterior(Index vertex) const;
 
   FrontInput input_;
   const HalfEdgeMesh& mesh_;
   const TriangulationParameters& parameters_;
+  mutable std::vector<char> interior_;  // vertices known to be; they stay so
 };
 
 }  // namespace mlsmesh::core
