@@ -58,17 +58,21 @@ struct Cell {
       cuts = cuts || excess[i] > 0;
     }
     if (!cuts || count + 2 > kMaxCorners) return;
-    const Cell before = *this;
+    const int before = count;
+    std::array<Vec2, kMaxCorners> corner_before;  // a copy of the corners in use: whole cells take longer
+    std::array<Index, kMaxCorners> label_before;
+    std::copy_n(corner.begin(), before, corner_before.begin());
+    std::copy_n(label.begin(), before, label_before.begin());
     count = 0;
-    for (int i = 0; i < before.count; ++i) {
-      const int j = i + 1 < before.count ? i + 1 : 0;
+    for (int i = 0; i < before; ++i) {
+      const int j = i + 1 < before ? i + 1 : 0;
       const bool inside = excess[i] <= 0;
       const bool next_inside = excess[j] <= 0;
-      if (inside) push(before.corner[i], before.label[i]);
+      if (inside) push(corner_before[i], label_before[i]);
       if (inside == next_inside) continue;
       const double t = excess[i] / (excess[i] - excess[j]);
-      const Vec2 crossing = before.corner[i] + t * (before.corner[j] - before.corner[i]);
-      push(crossing, inside ? neighbor : before.label[i]);
+      const Vec2 crossing = corner_before[i] + t * (corner_before[j] - corner_before[i]);
+      push(crossing, inside ? neighbor : label_before[i]);
     }
   }
 
