@@ -121,16 +121,24 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
   if (overlapsSector(mesh_, p, triangle, 2)) return true;
   if (parameters_.overlap_test == OverlapTest::ApexStar) return false;
   if (overlapsSector(mesh_, p, triangle, 0) || overlapsSector(mesh_, p, triangle, 1)) return true;
-  for (const Index corner : triangle.corner) {
+  const std::vector<Index> near = obstaclesNear(triangle.corner);
+  return std::any_of(near.begin(), near.end(), [&](Index q) {
+    return containsPoint(mesh_, p, triangle, q) ||
+           (mesh_.isUsed(q) && crossesBorderAt(mesh_, p, triangle, q));
+  });
+}
+
+// The neighbours of the corners, each once, that the mesh does not go on around.
+std::vector<Index> FrontRules::obstaclesNear(const Triangle& corners) const {
+  std::vector<Index> near;
+  for (const Index corner : corners) {
     const Index* row = input_.neighbors.row(corner);
-    for (int i = 0; i < input_.neighbors.k; ++i) {
-      const Index near = row[i];
-      if (isInterior(near)) continue;  // the mesh goes on around it: it is no obstacle
-      if (containsPoint(mesh_, p, triangle, near)) return true;
-      if (mesh_.isUsed(near) && crossesBorderAt(mesh_, p, triangle, near)) return true;
-    }
+    std::copy_if(row, row + input_.neighbors.k, std::back_inserter(near),
+                 [&](Index q) { return !isInterior(q); });
   }
-  return false;
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
 }
 
 }  // namespace mlsmesh::core

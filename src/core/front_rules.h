@@ -53,6 +53,7 @@ class FrontRules {
   double scoreOf(Index u, Index v, Index apex, double bend) const;
   double bendOf(Index half_edge, const Vec3& normal) const;
   bool overlaps(Index u, Index v, Index apex) const;
+  std::vector<Index> obstaclesNear(const Triangle& corners) const;
   bool isInterior(Index vertex) const;
 
   FrontInput input_;
