@@ -153,7 +153,7 @@ Features detectFeatures(const PointSet& set, const NeighborSearch& search, const
   SparseNeighbors neighbors(points, search, kNeighbors);
   RobustNormals normals(neighbors);
   const double cosine = std::cos(parameters.angle * kPi / 180);
-  constexpr std::size_t kSampleStep = 4;
+  constexpr std::size_t kSampleStep = 6;
   const std::vector<Misfit> some = clusterMisfits(points, search, clusters, variation, kSampleStep, context);
   if (areHopeless(membersWhere(isFolded, some, clusters), cosine, neighbors, normals, context))
     return features;

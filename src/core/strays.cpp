@@ -61,7 +61,7 @@ bool isStray(const MlsSurface& surface, Index point, double distance) {
 // before the fit. A plane that strays have turned, or that was refused, tells nothing.
 double suspectOffset(const Representatives& all, Index cluster) {
   constexpr double kSuspect = 0.5;  // local spacings
-  constexpr double kUneven = 0.03;  // surface variation
+  constexpr double kUneven = 0.05;  // surface variation
   const bool vague = all.kind[cluster] == VertexKind::InputPoint || all.variation[cluster] > kUneven;
   return vague ? 0.0 : kSuspect * all.spacing[cluster];
 }
