@@ -60,6 +60,7 @@ class Front {
   /// Adds triangles that are known to be good; false for those that do not fit what is there.
   bool load(const Triangle& triangle) {
     const bool added = mesh_.addTriangle(triangle[0], triangle[1], triangle[2]) != kNone;
+    if (added) rules_.added(triangle);
     statistics_.seed_triangles += added ? 1 : 0;
     return added;
   }
@@ -115,6 +116,7 @@ class Front {
 
   void add(Index half_edge, Index apex) {
     const Index triangle = mesh_.addTriangle(mesh_.target(half_edge), mesh_.origin(half_edge), apex);
+    rules_.added(mesh_.corners(triangle));
     ++statistics_.front_triangles;
     for (Index h = 3 * triangle + 1; h < 3 * triangle + 3; ++h) {
       if (mesh_.isBorder(h)) enqueue(h);

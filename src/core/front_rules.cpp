@@ -109,9 +109,14 @@ bool FrontRules::isLegal(Index half_edge, Index apex) const {
   return mesh_.canAdd(v, u, apex) && !isInterior(apex) && !overlaps(u, v, apex);
 }
 
+void FrontRules::added(const Triangle& triangle) {
+  for (const Index v : triangle) place_[v] = Place::Unknown;
+}
+
 bool FrontRules::isInterior(Index vertex) const {
-  if (!interior_[vertex]) interior_[vertex] = mesh_.isInterior(vertex);
-  return interior_[vertex] != 0;
+  Place& place = place_[vertex];
+  if (place == Place::Unknown) place = mesh_.isInterior(vertex) ? Place::Interior : Place::Elsewhere;
+  return place == Place::Interior;
 }
 
 bool FrontRules::overlaps(Index u, Index v, Index apex) const {

@@ -23,16 +23,20 @@ struct Apex {
 };
 
 /// Decides which triangle may follow on a border half-edge u -> v: candidates, angle windows, length limit,
-/// and the tests that keep the mesh from overlapping itself. Reads the mesh, never changes it; between calls
-/// triangles may be added to it, not taken. The same call on the same mesh gives the same bits, so a queue
-/// entry can be checked again when it is popped. Not thread-safe: it remembers which vertices are interior.
+/// and the tests that keep the mesh from overlapping itself. Reads the mesh, never changes it; whoever adds a
+/// triangle to it between calls says so, and none are taken. The same call on the same mesh gives the same
+/// bits, so a queue entry can be checked again when it is popped. Not thread-safe: it remembers which
+/// vertices are interior.
 class FrontRules {
  public:
   FrontRules(const FrontInput& input, const HalfEdgeMesh& mesh, const TriangulationParameters& parameters)
       : input_(input),
         mesh_(mesh),
         parameters_(parameters),
-        interior_(static_cast<std::size_t>(mesh.vertexCount()), 0) {}
+        place_(static_cast<std::size_t>(mesh.vertexCount()), Place::Unknown) {}
+
+  /// To be told of every triangle that was added to the mesh.
+  void added(const Triangle& triangle);
 
   /// Best legal apex for the triangle (v, u, apex).
   Apex best(Index half_edge) const;
@@ -42,6 +46,8 @@ class FrontRules {
   double lengthLimit(Index u, Index v) const;
 
  private:
+  enum class Place : char { Unknown, Interior, Elsewhere };
+
   struct Candidate {
     Index apex;
     int window;
@@ -59,7 +65,7 @@ class FrontRules {
   FrontInput input_;
   const HalfEdgeMesh& mesh_;
   const TriangulationParameters& parameters_;
-  mutable std::vector<char> interior_;  // vertices known to be; they stay so
+  mutable std::vector<Place> place_;  // of every vertex, as far as it was asked for
 };
 
 }  // namespace mlsmesh::core
