@@ -76,9 +76,7 @@ class SideSorter {
 
  private:
   void append(const std::vector<Index>& members, const Vec3& normal) {
-    IndexLists& lists = result_.clusters;
-    lists.items.insert(lists.items.end(), members.begin(), members.end());
-    lists.begin.push_back(static_cast<Index>(lists.items.size()));
+    result_.clusters.append(members.data(), static_cast<Index>(members.size()));
     result_.normal.push_back(normal);
   }
 

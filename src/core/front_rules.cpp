@@ -126,7 +126,7 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
   if (overlapsSector(mesh_, p, triangle, 2)) return true;
   if (parameters_.overlap_test == OverlapTest::ApexStar) return false;
   if (overlapsSector(mesh_, p, triangle, 0) || overlapsSector(mesh_, p, triangle, 1)) return true;
-  const std::vector<Index> near = obstaclesNear(triangle.corner);
+  const std::vector<Index>& near = obstaclesNear(triangle.corner);
   return std::any_of(near.begin(), near.end(), [&](Index q) {
     return containsPoint(mesh_, p, triangle, q) ||
            (mesh_.isUsed(q) && crossesBorderAt(mesh_, p, triangle, q));
@@ -134,8 +134,9 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
 }
 
 // The neighbours of the corners, each once, that the mesh does not go on around.
-std::vector<Index> FrontRules::obstaclesNear(const Triangle& corners) const {
-  std::vector<Index> near;
+const std::vector<Index>& FrontRules::obstaclesNear(const Triangle& corners) const {
+  std::vector<Index>& near = obstacles_;
+  near.clear();
   for (const Index corner : corners) {
     const Index* row = input_.neighbors.row(corner);
     std::copy_if(row, row + input_.neighbors.k, std::back_inserter(near),

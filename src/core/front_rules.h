@@ -59,13 +59,14 @@ class FrontRules {
   double scoreOf(Index u, Index v, Index apex, double bend) const;
   double bendOf(Index half_edge, const Vec3& normal) const;
   bool overlaps(Index u, Index v, Index apex) const;
-  std::vector<Index> obstaclesNear(const Triangle& corners) const;
+  const std::vector<Index>& obstaclesNear(const Triangle& corners) const;
   bool isInterior(Index vertex) const;
 
   FrontInput input_;
   const HalfEdgeMesh& mesh_;
   const TriangulationParameters& parameters_;
-  mutable std::vector<Place> place_;  // of every vertex, as far as it was asked for
+  mutable std::vector<Place> place_;      // of every vertex, as far as it was asked for
+  mutable std::vector<Index> obstacles_;  // room for the answer of obstaclesNear
 };
 
 }  // namespace mlsmesh::core

@@ -255,9 +255,7 @@ void removePoints(const std::vector<Index>& removed, PointSet& points) {
     }
     points.position[kept] = points.position[p];
     points.source[kept] = points.source[p];
-    const Index* same = points.duplicates_of.data(p);
-    inputs.items.insert(inputs.items.end(), same, same + points.duplicates_of.size(p));
-    inputs.begin.push_back(static_cast<Index>(inputs.items.size()));
+    inputs.append(points.duplicates_of.data(p), points.duplicates_of.size(p));
     ++kept;
   }
   points.position.resize(static_cast<std::size_t>(kept));

@@ -38,7 +38,7 @@ TEST(NoiseEstimate, IsWhatWasAdded) {
     for (const double relative : {0.15, 0.3, 0.6, 1.0}) {
       for (const std::uint64_t seed : {1, 2, 3}) {
         const NoiseEstimate estimate = estimateOf(noisySample(shape, relative, seed));
-        EXPECT_NEAR(estimate.sigma / (relative * shape.spacing), 1, 0.15)
+        EXPECT_NEAR(estimate.sigma / (relative * shape.spacing), 1, 0.1)
             << shape.name << ", " << relative << ", seed " << seed;
       }
     }

@@ -7,7 +7,8 @@
 
 namespace mlsmesh::core {
 
-/// One point per cluster on the MLS surface, structs of arrays of equal length.
+/// One point per cluster on the MLS surface, structs of arrays of equal length; where the points themselves
+/// take their place, position, nearest and kind alone are filled.
 struct Representatives {
   std::vector<Vec3> position;     ///< local, already rounded to the stored type
   std::vector<Vec3> normal;       ///< unit, sign arbitrary

@@ -44,7 +44,9 @@ class MlsSurface {
              const ProjectionParameters& parameters, double residual_limit = 0);
 
   /// Psi(x), with neighbours and support taken at x. `x` must be finite. Falls back to lower degrees where
-  /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
+  /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10). With OneStep,
+  /// where the fit misses its points as two sheets make it, and air is seen between them, the neighbours are
+  /// those on the sheet of the nearest one alone (sheet_gap tells): one more search and fit.
   Projection project(const Vec3& x) const { return project(x, parameters_.degree); }
   Projection project(const Vec3& x, int degree) const;
   /// Psi(x) from the points of one side alone: of twice as many neighbours, the nearest whose normal is
@@ -56,7 +58,7 @@ class MlsSurface {
   double residual(const Vec3& x) const { return (project(x).position - x).norm(); }
 
   /// Where the paper's projection of a centroid starts (section 2.2, 3-4): c + t_min n_c, n_c the direction
-  /// in which the weighted neighbours spread least about c, t_min the mean of (p - c) . n_c.
+  /// in which the weighted neighbours spread least about c, t_min the mean of (p - c) . n_c. Sheets as above.
   Vec3 startFrom(const Vec3& c) const;
   /// (1/k) sum (p - x) over the neighbours of x alone, without a fit.
   Vec3 meanDifference(const Vec3& x) const;
