@@ -18,7 +18,7 @@ class ReconstructTest : public testing::Test {
   Outcome run(const std::vector<std::string>& arguments,
               const std::function<bool()>& prepare = nullptr) const {
     const TemporaryFolder prints;
-    return Program(MLSMESH_RECONSTRUCT, arguments, prints.path(), prepare).wait();
+    return Program(program_, arguments, prints.path(), prepare).wait();
   }
 
   /// Runs it, expects success without a word on stderr, and returns what it printed.
@@ -32,6 +32,7 @@ class ReconstructTest : public testing::Test {
   PlyMesh readPly(const std::string& name) const { return parsePly(readFile(folder_.file(name))); }
 
   TemporaryFolder folder_;
+  std::string program_ = MLSMESH_RECONSTRUCT;
 };
 
 }  // namespace mlsmesh::test
