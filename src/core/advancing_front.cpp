@@ -39,6 +39,7 @@ struct Entry {
   double key;
   Index half_edge;
   Index apex;  // kNone: not looked for yet
+  bool was_legal;
 };
 
 struct Later {
@@ -80,13 +81,18 @@ class Front {
   }
 
  private:
+  // An edge waits with the apex that seems best; whether that is legal shows when its turn comes, which for
+  // many an edge it never does.
   void enqueue(Index half_edge) {
     if (parameters_.order == FrontOrder::FirstInFirstOut) {
-      queue_.push({static_cast<double>(sequence_++), half_edge, kNone});
-      return;
+      queue_.push({static_cast<double>(sequence_++), half_edge, kNone, false});
+    } else {
+      wait(half_edge, rules_.likeliest(half_edge), false);
     }
-    const Apex apex = rules_.best(half_edge);
-    if (apex.vertex != kNone) queue_.push({apex.score, half_edge, apex.vertex});
+  }
+
+  void wait(Index half_edge, const Apex& apex, bool is_legal) {
+    if (apex.vertex != kNone) queue_.push({apex.score, half_edge, apex.vertex, is_legal});
   }
 
   void workOff() {
@@ -101,8 +107,8 @@ class Front {
         if (entry.apex != kNone) add(entry.half_edge, entry.apex);
       } else if (rules_.isLegal(entry.half_edge, entry.apex)) {
         add(entry.half_edge, entry.apex);
-      } else if (mayRetry(entry.half_edge)) {
-        enqueue(entry.half_edge);
+      } else if (!entry.was_legal || mayRetry(entry.half_edge)) {
+        wait(entry.half_edge, rules_.best(entry.half_edge), true);
       }
     }
   }

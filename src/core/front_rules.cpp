@@ -61,44 +61,60 @@ double FrontRules::bendOf(Index half_edge, const Vec3& normal) const {
   return std::atan2(before.cross(normal).norm(), before.dot(normal)) * kDegrees;
 }
 
-void FrontRules::addCandidates(Index half_edge, const Index* row, std::vector<Candidate>& candidates) const {
+bool FrontRules::Candidate::operator<(const Candidate& other) const {
+  if (window != other.window) return window < other.window;
+  return score < other.score || (score == other.score && apex < other.apex);
+}
+
+void FrontRules::addCandidates(Index half_edge, const Index* row) const {
   const auto& p = input_.points;
   const Index u = mesh_.origin(half_edge);
   const Index v = mesh_.target(half_edge);
   const Index s = mesh_.opposite(half_edge);
   const double limit = lengthLimit(u, v);
+  const Vec3 edge = p[u] - p[v];
+  const double length = edge.norm();
   for (int i = 0; i < input_.neighbors.k; ++i) {
     const Index t = row[i];
     if (t == u || t == v || t == s || isInterior(t)) continue;
-    const double longest = std::max((p[t] - p[u]).norm(), (p[t] - p[v]).norm());
+    const double longest = std::sqrt(std::max((p[t] - p[u]).squaredNorm(), (p[t] - p[v]).squaredNorm()));
     if (longest > limit || !mesh_.canAdd(v, u, t)) continue;
-    const Vec3 area = (p[u] - p[v]).cross(p[t] - p[v]);
-    const double widest = std::max(longest, (p[u] - p[v]).norm());
+    const Vec3 area = edge.cross(p[t] - p[v]);
+    const double widest = std::max(longest, length);
     if (area.norm() <= kSliver * widest * widest) continue;
     const double bend = bendOf(half_edge, area.normalized());
     const int window = windowOf(bend);
-    if (window >= 0) candidates.push_back({t, window, scoreOf(u, v, t, bend)});
+    if (window >= 0) candidates_.push_back({t, window, scoreOf(u, v, t, bend)});
   }
 }
 
-Apex FrontRules::best(Index half_edge) const {
-  std::vector<Candidate> candidates;
-  const Index u = mesh_.origin(half_edge);
-  const Index v = mesh_.target(half_edge);
-  addCandidates(half_edge, input_.neighbors.row(u), candidates);
+// In no particular order; those near both ends twice.
+const std::vector<FrontRules::Candidate>& FrontRules::candidatesFor(Index half_edge) const {
+  candidates_.clear();
+  addCandidates(half_edge, input_.neighbors.row(mesh_.origin(half_edge)));
   if (parameters_.candidates == CandidateRule::BothEndpoints) {
-    addCandidates(half_edge, input_.neighbors.row(v), candidates);
+    addCandidates(half_edge, input_.neighbors.row(mesh_.target(half_edge)));
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    if (a.window != b.window) return a.window < b.window;
-    return a.score < b.score || (a.score == b.score && a.apex < b.apex);
-  });
+  return candidates_;
+}
+
+Apex FrontRules::likeliest(Index half_edge) const {
+  const std::vector<Candidate>& candidates = candidatesFor(half_edge);
+  if (candidates.empty()) return {};
+  const Candidate& first = *std::min_element(candidates.begin(), candidates.end());
+  return {first.apex, first.score};
+}
+
+Apex FrontRules::best(Index half_edge) const {
+  candidatesFor(half_edge);
+  std::sort(candidates_.begin(), candidates_.end());
   Index previous = kNone;
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : candidates_) {
     if (candidate.apex == previous) continue;
     previous = candidate.apex;
-    if (overlaps(u, v, candidate.apex) || !input_.support.supports({v, u, candidate.apex})) continue;
-    return {candidate.apex, candidate.score};
+    if (fits(mesh_.origin(half_edge), mesh_.target(half_edge), candidate.apex)) {
+      return {candidate.apex, candidate.score};
+    }
   }
   return {};
 }
@@ -106,7 +122,11 @@ Apex FrontRules::best(Index half_edge) const {
 bool FrontRules::isLegal(Index half_edge, Index apex) const {
   const Index u = mesh_.origin(half_edge);
   const Index v = mesh_.target(half_edge);
-  return mesh_.canAdd(v, u, apex) && !isInterior(apex) && !overlaps(u, v, apex);
+  return mesh_.canAdd(v, u, apex) && !isInterior(apex) && fits(u, v, apex);
+}
+
+bool FrontRules::fits(Index u, Index v, Index apex) const {
+  return !overlaps(u, v, apex) && input_.support.supports({v, u, apex});
 }
 
 void FrontRules::added(const Triangle& triangle) {

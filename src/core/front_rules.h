@@ -38,6 +38,9 @@ class FrontRules {
   /// To be told of every triangle that was added to the mesh.
   void added(const Triangle& triangle);
 
+  /// Best apex for the triangle (v, u, apex) as far as the three points tell, be it legal or not: bounds the
+  /// score of best() within one window of angles at a fraction of its cost.
+  Apex likeliest(Index half_edge) const;
   /// Best legal apex for the triangle (v, u, apex).
   Apex best(Index half_edge) const;
   /// Whether (v, u, apex) may be added as the mesh is now.
@@ -52,12 +55,16 @@ class FrontRules {
     Index apex;
     int window;
     double score;
+
+    bool operator<(const Candidate& other) const;
   };
 
-  void addCandidates(Index half_edge, const Index* row, std::vector<Candidate>& candidates) const;
+  const std::vector<Candidate>& candidatesFor(Index half_edge) const;
+  void addCandidates(Index half_edge, const Index* row) const;
   int windowOf(double bend) const;
   double scoreOf(Index u, Index v, Index apex, double bend) const;
   double bendOf(Index half_edge, const Vec3& normal) const;
+  bool fits(Index u, Index v, Index apex) const;
   bool overlaps(Index u, Index v, Index apex) const;
   const std::vector<Index>& obstaclesNear(const Triangle& corners) const;
   bool isInterior(Index vertex) const;
@@ -65,8 +72,9 @@ class FrontRules {
   FrontInput input_;
   const HalfEdgeMesh& mesh_;
   const TriangulationParameters& parameters_;
-  mutable std::vector<Place> place_;      // of every vertex, as far as it was asked for
-  mutable std::vector<Index> obstacles_;  // room for the answer of obstaclesNear
+  mutable std::vector<Place> place_;           // of every vertex, as far as it was asked for
+  mutable std::vector<Candidate> candidates_;  // room for the answer of candidatesFor
+  mutable std::vector<Index> obstacles_;       // room for the answer of obstaclesNear
 };
 
 }  // namespace mlsmesh::core
