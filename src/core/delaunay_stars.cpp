@@ -32,55 +32,65 @@ constexpr double kReachSlack = 1.01;  // a tied neighbour may still cut the cell
 
 // A convex polygon round the origin; edge i runs from corner i to corner i + 1 and belongs to neighbour
 // label[i].
-struct Cell {
-  std::array<Vec2, kMaxCorners> corner;
-  std::array<Index, kMaxCorners> label;
-  int count = 0;
-
-  explicit Cell(double half_width) : count(4) {
-    corner = {Vec2(-half_width, -half_width), Vec2(half_width, -half_width), Vec2(half_width, half_width),
-              Vec2(-half_width, half_width)};
-    label = {kNone, kNone, kNone, kNone};
+class Cell {
+ public:
+  explicit Cell(double half_width) {
+    push(now(), Vec2(-half_width, -half_width), kNone);
+    push(now(), Vec2(half_width, -half_width), kNone);
+    push(now(), Vec2(half_width, half_width), kNone);
+    push(now(), Vec2(-half_width, half_width), kNone);
   }
+
+  int size() const { return now().count; }
+  Index label(int edge) const { return now().label[edge]; }
 
   double squaredRadius() const {
     double radius = 0;
-    for (int i = 0; i < count; ++i) radius = std::max(radius, corner[i].squaredNorm());
+    for (int i = 0; i < size(); ++i) radius = std::max(radius, now().corner[i].squaredNorm());
     return radius;
   }
 
-  // Keeps the side <direction, x> <= offset.
-  void clip(const Vec2& direction, double offset, Index neighbor) {
+  // Keeps the side <direction, x> <= offset; false where that is all of the cell.
+  bool clip(const Vec2& direction, double offset, Index neighbor) {
+    const Polygon& whole = now();
     std::array<double, kMaxCorners> excess;
-    bool cuts = false;
-    for (int i = 0; i < count; ++i) {
-      excess[i] = direction.dot(corner[i]) - offset;
-      cuts = cuts || excess[i] > 0;
+    double most = 0;
+    for (int i = 0; i < whole.count; ++i) {
+      excess[i] = direction.dot(whole.corner[i]) - offset;
+      most = std::max(most, excess[i]);
     }
-    if (!cuts || count + 2 > kMaxCorners) return;
-    const int before = count;
-    std::array<Vec2, kMaxCorners> corner_before;  // a copy of the corners in use: whole cells take longer
-    std::array<Index, kMaxCorners> label_before;
-    std::copy_n(corner.begin(), before, corner_before.begin());
-    std::copy_n(label.begin(), before, label_before.begin());
-    count = 0;
-    for (int i = 0; i < before; ++i) {
-      const int j = i + 1 < before ? i + 1 : 0;
+    if (!(most > 0) || whole.count + 2 > kMaxCorners) return false;
+    now_ = 1 - now_;
+    now().count = 0;
+    for (int i = 0; i < whole.count; ++i) {
+      const int j = i + 1 < whole.count ? i + 1 : 0;
       const bool inside = excess[i] <= 0;
-      const bool next_inside = excess[j] <= 0;
-      if (inside) push(corner_before[i], label_before[i]);
-      if (inside == next_inside) continue;
+      if (inside) push(now(), whole.corner[i], whole.label[i]);
+      if (inside == (excess[j] <= 0)) continue;
       const double t = excess[i] / (excess[i] - excess[j]);
-      const Vec2 crossing = corner_before[i] + t * (corner_before[j] - corner_before[i]);
-      push(crossing, inside ? neighbor : label_before[i]);
+      const Vec2 crossing = whole.corner[i] + t * (whole.corner[j] - whole.corner[i]);
+      push(now(), crossing, inside ? neighbor : whole.label[i]);
     }
+    return true;
   }
 
  private:
-  void push(const Vec2& position, Index neighbor) {
-    corner[count] = position;
-    label[count++] = neighbor;
+  struct Polygon {
+    std::array<Vec2, kMaxCorners> corner;
+    std::array<Index, kMaxCorners> label;
+    int count = 0;
+  };
+
+  const Polygon& now() const { return polygon_[now_]; }
+  Polygon& now() { return polygon_[now_]; }
+
+  static void push(Polygon& polygon, const Vec2& position, Index neighbor) {
+    polygon.corner[polygon.count] = position;
+    polygon.label[polygon.count++] = neighbor;
   }
+
+  std::array<Polygon, 2> polygon_;  // each cut writes what it leaves of one into the other
+  std::size_t now_ = 0;
 };
 
 double tieWeight(Index point, double spacing) {
@@ -116,8 +126,8 @@ class StarBuilder {
       if (squared > kReachSlack * 4 * squared_radius) break;
       const double limit = length_factor_ * std::max(spacing_[p], spacing_[q]);
       if (squared > limit * limit) continue;
-      cell.clip(Vec2(2 * d.dot(u), 2 * d.dot(v)), squared + own_weight - tieWeight(q, spacing_[q]), q);
-      squared_radius = cell.squaredRadius();
+      const double offset = squared + own_weight - tieWeight(q, spacing_[q]);
+      if (cell.clip(Vec2(2 * d.dot(u), 2 * d.dot(v)), offset, q)) squared_radius = cell.squaredRadius();
     }
     appendLabels(cell, ring);
   }
@@ -125,8 +135,8 @@ class StarBuilder {
  private:
   static void appendLabels(const Cell& cell, std::vector<Index>& ring) {
     const std::size_t first = ring.size();
-    for (int i = 0; i < cell.count; ++i) {
-      if (ring.size() == first || ring.back() != cell.label[i]) ring.push_back(cell.label[i]);
+    for (int i = 0; i < cell.size(); ++i) {
+      if (ring.size() == first || ring.back() != cell.label(i)) ring.push_back(cell.label(i));
     }
     if (ring.size() > first + 1 && ring.back() == ring[first]) ring.pop_back();
   }
@@ -155,66 +165,137 @@ Index slotOf(const StarRings& stars, Index point, Index a, Index b) {
   return kNone;
 }
 
-// Every slot of every ring gets the agreed triangle that it spans, or kNone.
-struct AgreedTriangles {
-  std::vector<Triangle> triangles;  // lowest corner first, counter-clockwise about that corner's normal
-  std::vector<Index> of_slot;
+// A triangle of the stars of all its corners; slot[i] is its place in the rings at corner[i], counted over all
+// rings.
+struct AgreedTriangle {
+  Triangle corner;  // lowest first, counter-clockwise about that corner's normal
+  Triangle slot;
 };
 
+// Every slot of every ring gets the agreed triangle that it spans, or kNone.
+struct AgreedTriangles {
+  std::vector<AgreedTriangle> triangles;
+  std::vector<Index> of_slot;
+
+  Index count() const { return static_cast<Index>(triangles.size()); }
+};
+
+// Appends the triangles of point p that p is the lowest corner of and that both others agree on.
+void appendAgreed(const StarRings& stars, Index p, std::vector<AgreedTriangle>& agreed) {
+  if (stars.size(p) < 2) return;
+  const Index* ring = stars.data(p);
+  for (Index slot = 0; slot < stars.size(p); ++slot) {
+    const Index a = ring[slot];
+    const Index b = ring[nextInRing(stars, p, slot)];
+    if (a <= p || b <= p || a == b) continue;  // kNone is below every point
+    const Index at_a = slotOf(stars, a, b, p);
+    const Index at_b = at_a == kNone ? kNone : slotOf(stars, b, p, a);
+    if (at_b == kNone) continue;
+    agreed.push_back({{p, a, b}, {stars.begin[p] + slot, stars.begin[a] + at_a, stars.begin[b] + at_b}});
+  }
+}
+
 AgreedTriangles findAgreed(const StarRings& stars, const Context& context) {
+  constexpr std::size_t kBlock = 4096;
   const std::size_t count = static_cast<std::size_t>(stars.count());
-  AgreedTriangles agreed;
-  agreed.of_slot.assign(stars.items.size(), kNone);
-  std::vector<char> mine(stars.items.size(), 0);  // slots of the lowest corner, agreed by the two others
-  parallelBlocks(context, count, 4096, [&](std::size_t first, std::size_t last) {
-    for (Index p = static_cast<Index>(first); p < static_cast<Index>(last); ++p) {
-      const Index* ring = stars.data(p);
-      if (stars.size(p) < 2) continue;
-      for (Index slot = 0; slot < stars.size(p); ++slot) {
-        const Index a = ring[slot];
-        const Index b = ring[nextInRing(stars, p, slot)];
-        if (a <= p || b <= p || a == b) continue;  // kNone is below every point
-        mine[stars.begin[p] + slot] = slotOf(stars, a, b, p) != kNone && slotOf(stars, b, p, a) != kNone;
-      }
-    }
+  std::vector<std::vector<AgreedTriangle>> found((count + kBlock - 1) / kBlock);
+  parallelBlocks(context, count, kBlock, [&](std::size_t first, std::size_t last) {
+    std::vector<AgreedTriangle>& mine = found[first / kBlock];
+    mine.reserve(2 * (last - first));
+    for (std::size_t p = first; p < last; ++p) appendAgreed(stars, static_cast<Index>(p), mine);
   });
-  for (Index p = 0; p < stars.count(); ++p) {
-    const Index* ring = stars.data(p);
-    for (Index slot = 0; slot < stars.size(p); ++slot) {
-      if (!mine[stars.begin[p] + slot]) continue;
-      const Index a = ring[slot];
-      const Index b = ring[nextInRing(stars, p, slot)];
-      const Index triangle = static_cast<Index>(agreed.triangles.size());
-      agreed.triangles.push_back({p, a, b});
-      agreed.of_slot[stars.begin[p] + slot] = triangle;
-      agreed.of_slot[stars.begin[a] + slotOf(stars, a, b, p)] = triangle;
-      agreed.of_slot[stars.begin[b] + slotOf(stars, b, p, a)] = triangle;
+  AgreedTriangles agreed;
+  std::size_t total = 0;
+  for (const auto& block : found) total += block.size();
+  agreed.triangles.reserve(total);
+  agreed.of_slot.assign(stars.items.size(), kNone);
+  for (auto& block : found) {
+    for (const AgreedTriangle& triangle : block) {
+      for (const Index slot : triangle.slot) agreed.of_slot[slot] = agreed.count();
+      agreed.triangles.push_back(triangle);
     }
+    std::vector<AgreedTriangle>().swap(block);
   }
   return agreed;
 }
 
-// Agreed triangles across the edges of a triangle: on edge (v, w) the other slot of v's ring at w.
-Index acrossEdge(const StarRings& stars, const AgreedTriangles& agreed, Index triangle, Index v, Index w) {
-  const Index* ring = stars.data(v);
-  const Index size = stars.size(v);
-  for (Index slot = 0; slot < size; ++slot) {
-    if (ring[slot] != w) continue;
-    const Index after = agreed.of_slot[stars.begin[v] + slot];
-    const Index before = agreed.of_slot[stars.begin[v] + (slot == 0 ? size - 1 : slot - 1)];
-    if (after == triangle) return before;
-    if (before == triangle) return after;
-  }
-  return kNone;
-}
+// Islands found by walking from triangle to triangle over the edges that they share.
+class IslandWalk {
+ public:
+  IslandWalk(const StarRings& stars, const AgreedTriangles& agreed)
+      : stars_(stars),
+        agreed_(agreed),
+        island_(agreed.triangles.size(), kNone),
+        turned_(agreed.triangles.size(), 0) {}
 
-// The corners of `triangle` turned so that it runs along its edge with {v, w} as w -> v.
-Triangle orientedAgainst(Triangle triangle, Index v, Index w) {
-  for (int i = 0; i < 3; ++i) {
-    if (triangle[i] == v && triangle[(i + 1) % 3] == w) std::swap(triangle[0], triangle[1]);
+  Islands run() {
+    for (Index start = 0; start < agreed_.count(); ++start) {
+      if (island_[start] == kNone) walkFrom(start);
+    }
+    return collect();
   }
-  return triangle;
-}
+
+ private:
+  void walkFrom(Index start) {
+    const Index island = static_cast<Index>(size_.size());
+    island_[start] = island;
+    open_.assign(1, start);
+    for (std::size_t next = 0; next < open_.size(); ++next) {
+      const Triangle corners = oriented(open_[next]);
+      for (int i = 0; i < 3; ++i) {
+        const Index other = across(open_[next], corners[i], corners[(i + 1) % 3]);
+        if (other == kNone || island_[other] != kNone) continue;
+        island_[other] = island;
+        turned_[other] = runs(agreed_.triangles[other].corner, corners[i], corners[(i + 1) % 3]);
+        open_.push_back(other);
+      }
+    }
+    size_.push_back(static_cast<Index>(open_.size()));
+  }
+
+  Triangle oriented(Index triangle) const {
+    const auto& [a, b, c] = agreed_.triangles[triangle].corner;
+    return turned_[triangle] ? Triangle{b, a, c} : Triangle{a, b, c};
+  }
+
+  static bool runs(const Triangle& corner, Index v, Index w) {
+    return (corner[0] == v && corner[1] == w) || (corner[1] == v && corner[2] == w) ||
+           (corner[2] == v && corner[0] == w);
+  }
+
+  // The agreed triangle beyond the edge from v to w: in the ring of v it is on the other side of w.
+  Index across(Index triangle, Index v, Index w) const {
+    const AgreedTriangle& own = agreed_.triangles[triangle];
+    const Index slot = own.slot[own.corner[0] == v ? 0 : own.corner[1] == v ? 1 : 2];
+    const Index begin = stars_.begin[v], end = stars_.begin[v + 1];
+    const bool is_first = stars_.items[slot] == w;
+    if (is_first) return agreed_.of_slot[slot == begin ? end - 1 : slot - 1];
+    return agreed_.of_slot[slot + 1 == end ? begin : slot + 1];
+  }
+
+  // The triangles of each island in their order, the largest island first.
+  Islands collect() const {
+    std::vector<Index> order(size_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return size_[a] > size_[b]; });
+    Islands islands;
+    std::vector<Index> place(size_.size());
+    for (const Index island : order) {
+      place[island] = islands.begin.back();
+      islands.begin.push_back(islands.begin.back() + size_[island]);
+    }
+    islands.triangles.resize(agreed_.triangles.size());
+    for (Index t = 0; t < agreed_.count(); ++t) islands.triangles[place[island_[t]]++] = oriented(t);
+    return islands;
+  }
+
+  const StarRings& stars_;
+  const AgreedTriangles& agreed_;
+  std::vector<Index> island_;
+  std::vector<char> turned_;
+  std::vector<Index> size_;
+  std::vector<Index> open_;
+};
 
 }  // namespace
 
@@ -274,38 +355,7 @@ StarRings localStars(const std::vector<Vec3>& points, const std::vector<Vec3>& n
 
 Islands agreedIslands(const StarRings& stars, const Context& context) {
   const AgreedTriangles agreed = findAgreed(stars, context);
-  const Index count = static_cast<Index>(agreed.triangles.size());
-  std::vector<char> seen(agreed.triangles.size(), 0);
-  std::vector<std::vector<Triangle>> islands;
-  std::vector<std::pair<Index, Triangle>> open;
-  for (Index start = 0; start < count; ++start) {
-    if (seen[start]) continue;
-    seen[start] = 1;
-    open.assign(1, {start, agreed.triangles[start]});
-    for (std::size_t next = 0; next < open.size(); ++next) {
-      const auto [triangle, corners] = open[next];
-      for (int i = 0; i < 3; ++i) {
-        const Index v = corners[i];
-        const Index w = corners[(i + 1) % 3];
-        const Index other = acrossEdge(stars, agreed, triangle, v, w);
-        if (other == kNone || seen[other]) continue;
-        seen[other] = 1;
-        open.emplace_back(other, orientedAgainst(agreed.triangles[other], v, w));
-      }
-    }
-    std::vector<Triangle>& island = islands.emplace_back();
-    island.reserve(open.size());
-    for (const auto& entry : open) island.push_back(entry.second);
-  }
-  std::stable_sort(islands.begin(), islands.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  Islands result;
-  result.triangles.reserve(agreed.triangles.size());
-  for (const auto& island : islands) {
-    result.triangles.insert(result.triangles.end(), island.begin(), island.end());
-    result.begin.push_back(static_cast<Index>(result.triangles.size()));
-  }
-  return result;
+  return IslandWalk(stars, agreed).run();
 }
 
 }  // namespace mlsmesh::core
