@@ -25,6 +25,10 @@ double angleAt(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
 }
 
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
+}
+
 double circumradius(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (a - b).norm() * (b - c).norm() * (c - a).norm() / (2 * (b - a).cross(c - a).norm());
 }
@@ -54,13 +58,6 @@ double FrontRules::scoreOf(Index u, Index v, Index apex, double bend) const {
   return circumradius(p[u], p[v], p[apex]) / ls * (1 + (bend / 45) * (bend / 45));
 }
 
-double FrontRules::bendOf(Index half_edge, const Vec3& normal) const {
-  const auto& p = input_.points;
-  const Vec3 before =
-      unitNormal(p[mesh_.origin(half_edge)], p[mesh_.target(half_edge)], p[mesh_.opposite(half_edge)]);
-  return std::atan2(before.cross(normal).norm(), before.dot(normal)) * kDegrees;
-}
-
 bool FrontRules::Candidate::operator<(const Candidate& other) const {
   if (window != other.window) return window < other.window;
   return score < other.score || (score == other.score && apex < other.apex);
@@ -74,15 +71,16 @@ void FrontRules::addCandidates(Index half_edge, const Index* row) const {
   const double limit = lengthLimit(u, v);
   const Vec3 edge = p[u] - p[v];
   const double length = edge.norm();
+  const Vec3 normal = unitNormal(p[u], p[v], p[s]);
   for (int i = 0; i < input_.neighbors.k; ++i) {
     const Index t = row[i];
     if (t == u || t == v || t == s || isInterior(t)) continue;
     const double longest = std::sqrt(std::max((p[t] - p[u]).squaredNorm(), (p[t] - p[v]).squaredNorm()));
-    if (longest > limit || !mesh_.canAdd(v, u, t)) continue;
+    if (longest > limit || mesh_.find(u, t) != kNone || mesh_.find(t, v) != kNone) continue;
     const Vec3 area = edge.cross(p[t] - p[v]);
     const double widest = std::max(longest, length);
     if (area.norm() <= kSliver * widest * widest) continue;
-    const double bend = bendOf(half_edge, area.normalized());
+    const double bend = degreesBetween(normal, area.normalized());
     const int window = windowOf(bend);
     if (window >= 0) candidates_.push_back({t, window, scoreOf(u, v, t, bend)});
   }
@@ -146,10 +144,10 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
   if (overlapsSector(mesh_, p, triangle, 2)) return true;
   if (parameters_.overlap_test == OverlapTest::ApexStar) return false;
   if (overlapsSector(mesh_, p, triangle, 0) || overlapsSector(mesh_, p, triangle, 1)) return true;
+  const BorderCrossings crossings(mesh_, p, triangle);
   const std::vector<Index>& near = obstaclesNear(triangle.corner);
   return std::any_of(near.begin(), near.end(), [&](Index q) {
-    return containsPoint(mesh_, p, triangle, q) ||
-           (mesh_.isUsed(q) && crossesBorderAt(mesh_, p, triangle, q));
+    return containsPoint(mesh_, p, triangle, q) || (mesh_.isUsed(q) && crossings.at(q));
   });
 }
 

@@ -63,7 +63,6 @@ class FrontRules {
   void addCandidates(Index half_edge, const Index* row) const;
   int windowOf(double bend) const;
   double scoreOf(Index u, Index v, Index apex, double bend) const;
-  double bendOf(Index half_edge, const Vec3& normal) const;
   bool fits(Index u, Index v, Index apex) const;
   bool overlaps(Index u, Index v, Index apex) const;
   const std::vector<Index>& obstaclesNear(const Triangle& corners) const;

@@ -19,19 +19,10 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-struct Plane {
-  Vec3 origin;
-  Vec3 normal;
-  Vec3 u;
-  Vec3 v;
-
-  Plane(const Vec3& at, const Vec3& unit_normal)
-      : origin(at), normal(unit_normal), u(normal.unitOrthogonal()) {
-    v = normal.cross(u);
-  }
-  Vec2 flat(const Vec3& p) const { return Vec2((p - origin).dot(u), (p - origin).dot(v)); }
-  double height(const Vec3& p) const { return (p - origin).dot(normal); }
-};
+ProjectionPlane planeAt(const Vec3& origin, const Vec3& normal) {
+  const Vec3 u = normal.unitOrthogonal();
+  return {origin, normal, u, normal.cross(u)};
+}
 
 // A sector from one neighbour of a corner to the next, counter-clockwise and less than half a turn.
 struct Sector {
@@ -68,21 +59,19 @@ Vec3 starNormal(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index
   return sum;
 }
 
-bool segmentsCross(const Plane& plane, double height, const Vec3& p, const Vec3& q, const Vec3& a,
-                   const Vec3& b) {
-  const Vec2 p2 = plane.flat(p);
-  const Vec2 q2 = plane.flat(q);
-  const Vec2 a2 = plane.flat(a);
-  const Vec2 b2 = plane.flat(b);
-  const double sa = cross(q2 - p2, a2 - p2);
-  const double sb = cross(q2 - p2, b2 - p2);
-  const double sp = cross(b2 - a2, p2 - a2);
-  const double sq = cross(b2 - a2, q2 - a2);
-  if (!((sa > 0) != (sb > 0) && (sp > 0) != (sq > 0)) || sa == sb || sp == sq) return false;
+// Whether two segments cross, seen along the normal, at heights that differ by less than `height`.
+bool segmentsCross(double height, const PlanePoint& p, const PlanePoint& q, const PlanePoint& a,
+                   const PlanePoint& b) {
+  const double sa = cross(q.flat - p.flat, a.flat - p.flat);
+  const double sb = cross(q.flat - p.flat, b.flat - p.flat);
+  if ((sa > 0) == (sb > 0)) return false;
+  const double sp = cross(b.flat - a.flat, p.flat - a.flat);
+  const double sq = cross(b.flat - a.flat, q.flat - a.flat);
+  if ((sp > 0) == (sq > 0)) return false;
   const double along_ab = sa / (sa - sb);
   const double along_pq = sp / (sp - sq);
-  const double gap = plane.height(a) + along_ab * (plane.height(b) - plane.height(a)) - plane.height(p) -
-                     along_pq * (plane.height(q) - plane.height(p));
+  const double gap =
+      a.height + along_ab * (b.height - a.height) - p.height - along_pq * (q.height - p.height);
   return std::abs(gap) < height;
 }
 
@@ -107,7 +96,7 @@ bool overlapsSector(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, c
   const Vec3 mean = starNormal(mesh, points, vertex) + triangle.normal;
   const double length = mean.norm();
   if (!(length > 1e-6)) return true;
-  const Plane plane(points[vertex], mean / length);
+  const ProjectionPlane plane = planeAt(points[vertex], mean / length);
   const auto sector = [&](Index from, Index to) {
     return Sector{from, to, plane.flat(points[from]), plane.flat(points[to])};
   };
@@ -139,27 +128,36 @@ bool containsPoint(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, co
   return starNormal(mesh, points, point).normalized().dot(triangle.normal) > kOtherSide;
 }
 
-bool crossesBorderAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle,
-                     Index point) {
-  const Plane plane(points[triangle.corner[0]], triangle.normal);
-  const Index apex = triangle.corner[2];
-  const auto isInTheWay = [&](Index half_edge) {
-    const Index a = mesh.origin(half_edge);
-    const Index b = mesh.target(half_edge);
-    if (a == apex || b == apex) return false;
-    for (int side = 0; side < 2; ++side) {
-      const Index end = triangle.corner[side];
-      if (a == end || b == end) continue;
-      if (!segmentsCross(plane, kHeight * triangle.longest, points[end], points[apex], points[a], points[b]))
-        continue;
-      if (triangleNormal(mesh, points, half_edge).dot(triangle.normal) > kOtherSide) return true;
-    }
-    return false;
-  };
-  for (Index h = mesh.firstOutgoing(point); h != kNone; h = mesh.nextOutgoing(h)) {
-    if (mesh.isBorder(h) && isInTheWay(h)) return true;
+BorderCrossings::BorderCrossings(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
+                                 const NewTriangle& triangle)
+    : mesh_(mesh),
+      points_(points),
+      triangle_(triangle),
+      plane_(planeAt(points[triangle.corner[0]], triangle.normal)) {
+  for (std::size_t i = 0; i < 3; ++i) corner_[i] = plane_.project(points[triangle.corner[i]]);
+}
+
+bool BorderCrossings::at(Index point) const {
+  for (Index h = mesh_.firstOutgoing(point); h != kNone; h = mesh_.nextOutgoing(h)) {
+    if (mesh_.isBorder(h) && isInTheWay(h)) return true;
     const Index incoming = HalfEdgeMesh::previous(h);
-    if (mesh.isBorder(incoming) && isInTheWay(incoming)) return true;
+    if (mesh_.isBorder(incoming) && isInTheWay(incoming)) return true;
+  }
+  return false;
+}
+
+bool BorderCrossings::isInTheWay(Index half_edge) const {
+  const Index from = mesh_.origin(half_edge);
+  const Index to = mesh_.target(half_edge);
+  const Index apex = triangle_.corner[2];
+  if (from == apex || to == apex) return false;
+  const PlanePoint a = plane_.project(points_[from]);
+  const PlanePoint b = plane_.project(points_[to]);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Index end = triangle_.corner[side];
+    if (from == end || to == end) continue;
+    if (!segmentsCross(kHeight * triangle_.longest, corner_[side], corner_[2], a, b)) continue;
+    if (triangleNormal(mesh_, points_, half_edge).dot(triangle_.normal) > kOtherSide) return true;
   }
   return false;
 }

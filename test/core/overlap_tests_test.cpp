@@ -84,7 +84,7 @@ TEST(OverlapTests, SeeBorderEdgesInTheWay) {
     const Points points = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, a, b, c};
     HalfEdgeMesh mesh(6);
     mesh.addTriangle(3, 4, 5);
-    return crossesBorderAt(mesh, points, triangle, 3);
+    return BorderCrossings(mesh, points, triangle).at(3);
   };
   EXPECT_FALSE(crosses({4, 2, 0}, {6, 2, 0}, {5, 4, 0}));
   EXPECT_TRUE(crosses({2.5, 1, 0}, {6, 1, 0}, {5, 4, 0}));
