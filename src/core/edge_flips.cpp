@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "mlsmesh/core/parallel.h"
 #include "overlap_tests.h"
 #include "patch_edges.h"
 
@@ -25,19 +26,23 @@ struct Quad {
   Vec3 u, v, w, x;
 };
 
-double cosineAt(const Vec3& apex, const Vec3& a, const Vec3& b) {
-  return (a - apex).dot(b - apex) / std::sqrt((a - apex).squaredNorm() * (b - apex).squaredNorm());
-}
-
-// Cosine of the smallest angle of a triangle: the largest cosine.
-double sharpest(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::max({cosineAt(a, b, c), cosineAt(b, c, a), cosineAt(c, a, b)});
+// Cosine of the smallest angle of a triangle, its largest: from its edges, turned to run around it, and one
+// over their lengths.
+double sharpest(const Vec3& ab, double per_ab, const Vec3& bc, double per_bc, const Vec3& ca, double per_ca) {
+  return -std::min({ab.dot(bc) * (per_ab * per_bc), bc.dot(ca) * (per_bc * per_ca),
+                    ca.dot(ab) * (per_ca * per_ab)});
 }
 
 bool isBetter(const Quad& q, FlipRule rule) {
-  if (rule == FlipRule::Length) return (q.u - q.v).squaredNorm() > (q.w - q.x).squaredNorm() * (1 + kGain);
-  const double before = std::max(sharpest(q.u, q.v, q.w), sharpest(q.v, q.u, q.x));
-  const double after = std::max(sharpest(q.x, q.w, q.u), sharpest(q.w, q.x, q.v));
+  const Vec3 uv = q.v - q.u, wx = q.x - q.w;
+  if (rule == FlipRule::Length) return uv.squaredNorm() > wx.squaredNorm() * (1 + kGain);
+  const Vec3 vw = q.w - q.v, wu = q.u - q.w, ux = q.x - q.u, xv = q.v - q.x;
+  const double per_uv = 1 / uv.norm(), per_wx = 1 / wx.norm(), per_vw = 1 / vw.norm(),
+               per_wu = 1 / wu.norm(), per_ux = 1 / ux.norm(), per_xv = 1 / xv.norm();
+  const double before = std::max(sharpest(uv, per_uv, vw, per_vw, wu, per_wu),
+                                 sharpest(-uv, per_uv, ux, per_ux, xv, per_xv));
+  const double after = std::max(sharpest(-wx, per_wx, wu, per_wu, ux, per_ux),
+                                sharpest(wx, per_wx, xv, per_xv, vw, per_vw));
   return after < before - kGain;
 }
 
@@ -114,26 +119,74 @@ class Disturbed {
   std::vector<int> round_;  // of the last flip at every vertex
 };
 
+// The half-edge on the other side, if there is one and its number is higher; else kNone.
+Index beyondLower(const HalfEdgeMesh& mesh, Index h) {
+  const Index g = mesh.alive(HalfEdgeMesh::triangleOf(h)) ? mesh.twin(h) : kNone;
+  return g < h ? kNone : g;
+}
+
+std::array<Index, 4> cornersAround(const HalfEdgeMesh& mesh, Index h, Index g) {
+  return {mesh.origin(h), mesh.target(h), mesh.opposite(h), mesh.opposite(g)};
+}
+
+Quad quadOf(const std::vector<Vec3>& position, const std::array<Index, 4>& corners) {
+  return {position[corners[0]], position[corners[1]], position[corners[2]], position[corners[3]]};
+}
+
+// Which edges are better turned. Looked at in parallel before the first flip; where flips have changed a
+// triangle since, it is looked at again.
+class Gains {
+ public:
+  Gains(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, const Context& context)
+      : rule_(rule),
+        is_better_(3 * static_cast<std::size_t>(mesh.slotCount()), 0),
+        changed_(static_cast<std::size_t>(mesh.slotCount()), 0) {
+    parallelBlocks(context, is_better_.size(), 4096, [&](std::size_t first, std::size_t last) {
+      for (Index h = static_cast<Index>(first); h < static_cast<Index>(last); ++h) {
+        const Index g = beyondLower(mesh, h);
+        if (g != kNone) is_better_[h] = isBetter(quadOf(position, cornersAround(mesh, h, g)), rule);
+      }
+    });
+  }
+
+  bool isGain(Index h, Index g, const Quad& quad) const {
+    const bool changed = changed_[HalfEdgeMesh::triangleOf(h)] || changed_[HalfEdgeMesh::triangleOf(g)];
+    return changed ? isBetter(quad, rule_) : is_better_[h] != 0;
+  }
+  void noteFlip(Index h, Index g) {
+    changed_[HalfEdgeMesh::triangleOf(h)] = changed_[HalfEdgeMesh::triangleOf(g)] = 1;
+  }
+
+ private:
+  const FlipRule rule_;
+  std::vector<char> is_better_;
+  std::vector<char> changed_;
+};
+
 }  // namespace
 
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
-                const std::vector<VertexKind>* kinds, std::vector<FlippedPair>* flips) {
+                const Context& context, const std::vector<VertexKind>* kinds,
+                std::vector<FlippedPair>* flips) {
   if (rule == FlipRule::NoFlips) return 0;
   Index total = 0;
   Disturbed disturbed(mesh.vertexCount());
+  Gains gains(mesh, position, rule, context);
   for (int round = 0; round < kRounds; ++round) {
+    context.checkCancelled();
     Index flipped = 0;
     for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
-      const Index g = mesh.alive(HalfEdgeMesh::triangleOf(h)) ? mesh.twin(h) : kNone;
-      if (g == kNone || g < h) continue;
-      const std::array<Index, 4> corners = {mesh.origin(h), mesh.target(h), mesh.opposite(h),
-                                            mesh.opposite(g)};
+      const Index g = beyondLower(mesh, h);
+      if (g == kNone) continue;
+      const std::array<Index, 4> corners = cornersAround(mesh, h, g);
       if (!disturbed.any(corners, round)) continue;
-      const Quad q{position[corners[0]], position[corners[1]], position[corners[2]], position[corners[3]]};
+      const Quad q = quadOf(position, corners);
+      if (!gains.isGain(h, g, q)) continue;
       if (kinds && touchesCrease(*kinds, corners) && !staysFlat(q)) continue;
       if (kinds && !PatchEdges(mesh, *kinds).mayFlip(h)) continue;
-      if (!isBetter(q, rule) || !mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
+      if (!mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
       ++flipped;
+      gains.noteFlip(h, g);
       disturbed.note(corners, round);
       if (flips) flips->push_back({HalfEdgeMesh::triangleOf(h), HalfEdgeMesh::triangleOf(g)});
     }

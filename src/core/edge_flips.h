@@ -18,6 +18,7 @@ using FlippedPair = std::array<Index, 2>;
 /// only where its triangles are bent by less than 15 degrees before and after, and edges do not cross the
 /// rims of patches.
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
-                const std::vector<VertexKind>* kinds = nullptr, std::vector<FlippedPair>* flips = nullptr);
+                const Context& context, const std::vector<VertexKind>* kinds = nullptr,
+                std::vector<FlippedPair>* flips = nullptr);
 
 }  // namespace mlsmesh::core

@@ -2,12 +2,14 @@
 #include "mlsmesh/core/half_edge_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/parallel.h"
 
 namespace mlsmesh::core {
 
@@ -35,6 +37,18 @@ std::string edgeFault(const HalfEdgeMesh& mesh, const Triangle& corners) {
   for (int i = 0; i < 3; ++i) {
     const Index u = corners[i], v = corners[(i + 1) % 3];
     if (mesh.find(u, v) != kNone) return "runs edge " + edgeText(u, v) + ", which another triangle runs";
+  }
+  return {};
+}
+
+// The first triangle that does not fit those before it; empty if all do.
+std::string firstFault(Index vertices, const std::vector<Triangle>& triangles) {
+  HalfEdgeMesh mesh(vertices);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    std::string fault = cornerFault(triangles[i], vertices);
+    if (fault.empty() && mesh.addTriangle(triangles[i][0], triangles[i][1], triangles[i][2]) == kNone)
+      fault = edgeFault(mesh, triangles[i]);
+    if (!fault.empty()) return "triangle " + std::to_string(i) + " " + fault;
   }
   return {};
 }
@@ -117,6 +131,32 @@ Index HalfEdgeMesh::addTriangle(Index a, Index b, Index c) {
   next_out_.insert(next_out_.end(), 3, kNone);
   linkTriangle(h);
   return h / 3;
+}
+
+bool HalfEdgeMesh::assignTriangles(const std::vector<Triangle>& triangles, const Context& context) {
+  constexpr std::size_t kBlock = 1 << 14;
+  if (triangles.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3)
+    throw Failure(StatusCode::IndexOverflow, "the mesh has more half-edges than 32-bit indices can name");
+  const std::size_t half_edges = 3 * triangles.size();
+  std::fill(first_.begin(), first_.end(), kNone);
+  vertex_.resize(half_edges);
+  twin_.resize(half_edges);
+  next_out_.resize(half_edges);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Index h = static_cast<Index>(3 * t);
+    setCorners(h, triangles[t]);
+    for (Index i = 0; i < 3; ++i) link(h + i);
+  }
+  live_ = static_cast<Index>(triangles.size());
+  std::atomic<bool> fits{true};
+  parallelBlocks(context, half_edges, kBlock, [&](std::size_t first, std::size_t last) {
+    for (Index h = static_cast<Index>(first); h < static_cast<Index>(last); ++h) {
+      twin_[h] = find(target(h), origin(h));
+      if (find(origin(h), target(h)) != h) fits = false;
+    }
+  });
+  if (!fits) *this = HalfEdgeMesh(vertexCount());
+  return fits;
 }
 
 bool HalfEdgeMesh::reviveTriangle(Index slot, Index a, Index b, Index c) {
@@ -379,19 +419,15 @@ void HalfEdgeMesh::connect(Index half_edge, Index other) {
   if (other != kNone) twin_[other] = half_edge;
 }
 
-bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh, std::string* why) {
+bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh, std::string* why,
+               const Context& context) {
   HalfEdgeMesh built(vertices);
-  built.reserveTriangles(static_cast<Index>(triangles.size()));
-  std::string fault;
-  for (std::size_t i = 0; i < triangles.size() && fault.empty(); ++i) {
-    fault = cornerFault(triangles[i], vertices);
-    if (fault.empty() && built.addTriangle(triangles[i][0], triangles[i][1], triangles[i][2]) == kNone)
-      fault = edgeFault(built, triangles[i]);
-    if (!fault.empty()) fault = "triangle " + std::to_string(i) + " " + fault;
-  }
-  if (why) *why = fault;
-  if (fault.empty()) mesh = std::move(built);
-  return fault.empty();
+  const bool fits = std::all_of(triangles.begin(), triangles.end(),
+                                [&](const Triangle& t) { return cornerFault(t, vertices).empty(); }) &&
+                    built.assignTriangles(triangles, context);
+  if (why) *why = fits ? std::string() : firstFault(vertices, triangles);
+  if (fits) mesh = std::move(built);
+  return fits;
 }
 
 }  // namespace mlsmesh::core

@@ -70,10 +70,10 @@ std::vector<VertexSides> vertexSides(const Reconstruction& result) {
   return sides;
 }
 
-HalfEdgeMesh levelZero(const RefinedMesh& mesh) {
+HalfEdgeMesh levelZero(const RefinedMesh& mesh, const Context& context) {
   HalfEdgeMesh level;
   std::string why;
-  if (!buildMesh(static_cast<Index>(mesh.position.size()), mesh.level_triangles[0], level, &why)) {
+  if (!buildMesh(static_cast<Index>(mesh.position.size()), mesh.level_triangles[0], level, &why, context)) {
     throw Failure(StatusCode::Internal, "the triangulation is not a manifold: " + why);
   }
   return level;
@@ -85,7 +85,7 @@ void turnToSides(const Context& context, Reconstruction& result) {
   RefinedMesh& mesh = result.mesh;
   std::vector<VertexSides> sides = vertexSides(result);
   for (int round = 0; round < kRounds; ++round) {
-    HalfEdgeMesh level = levelZero(mesh);
+    HalfEdgeMesh level = levelZero(mesh, context);
     if (flipToSides(level, mesh.position, sides) == 0) return;
     std::vector<Triangle> triangles = level.triangles();
     const auto pairs = SelfIntersections(mesh.position, triangles, context, &level).all();

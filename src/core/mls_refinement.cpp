@@ -188,11 +188,11 @@ std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh,
   return unmarked;
 }
 
-HalfEdgeMesh finestMesh(const RefinedMesh& refined) {
+HalfEdgeMesh finestMesh(const RefinedMesh& refined, const Context& context) {
   HalfEdgeMesh mesh;
   std::string why;
   const Index vertices = static_cast<Index>(refined.position.size());
-  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why))
+  if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why, context))
     throw Failure(StatusCode::InvalidMesh, why);
   for (Index v = 0; v < vertices; ++v) {
     if (mesh.fanCount(v) < 2) continue;
@@ -215,7 +215,7 @@ void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edge
 
 // Appends the vertices of the marked edges; the level has yet to be flipped.
 NewLevel newLevel(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
-                  std::vector<Triangle> triangles, RefinedMesh& refined) {
+                  std::vector<Triangle> triangles, const Context& context, RefinedMesh& refined) {
   NewLevel level;
   level.first_vertex = static_cast<Index>(refined.position.size());
   appendVertices(mesh, edges, refined);
@@ -223,7 +223,7 @@ NewLevel newLevel(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
     if (edge.marked) level.midpoint.push_back(edge.midpoint);
   }
   std::string why;
-  if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, level.flipped, &why))
+  if (!buildMesh(static_cast<Index>(refined.position.size()), triangles, level.flipped, &why, context))
     throw Failure(StatusCode::Internal, "refinement broke the mesh: " + why);
   level.unflipped = std::move(triangles);
   return level;
@@ -249,9 +249,9 @@ Division divide(const HalfEdgeMesh& mesh, const EdgeNumbers& numbers, const Poin
     triangles = splitOneByOne(mesh, refined.position, min_ratio, fold_angle, points, edges);
   }
   Division division;
-  division.level = newLevel(mesh, edges, std::move(triangles), refined);
+  division.level = newLevel(mesh, edges, std::move(triangles), context, refined);
   HalfEdgeMesh& flipped = division.level.flipped;
-  flipEdges(flipped, refined.position, parameters.flips, parameters.flip_guard, &refined.kind,
+  flipEdges(flipped, refined.position, parameters.flips, parameters.flip_guard, context, &refined.kind,
             &division.level.flips);
   division.triangles = flipped.triangles();
   division.pairs = parameters.fold_guard
@@ -304,7 +304,7 @@ std::vector<Vec3> vertexNormals(const std::vector<Triangle>& triangles, const st
 void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
               const RefinementParameters& parameters, const Context& context, RefinedMesh& refined,
               const Features& features) {
-  const HalfEdgeMesh mesh = finestMesh(refined);
+  const HalfEdgeMesh mesh = finestMesh(refined, context);
   const EdgeNumbers numbers = numberEdges(mesh);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const CreaseEdges creases(features, surface, mesh, refined);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "mlsmesh/core/context.h"
 #include "mlsmesh/core/types.h"
 
 namespace mlsmesh::core {
@@ -22,6 +23,10 @@ class HalfEdgeMesh {
   Index triangleCount() const { return live_; }
   bool alive(Index triangle) const { return vertex_[3 * triangle] != kNone; }
   Index addVertex();
+  /// Replaces all triangles; the same mesh as adding them one by one, in parallel. False, and the mesh is
+  /// left without any, if an edge would exist twice; the corners must be distinct vertices of the mesh.
+  /// Throws Failure(IndexOverflow).
+  bool assignTriangles(const std::vector<Triangle>& triangles, const Context& context);
   void reserveTriangles(Index count);
 
   static Index triangleOf(Index half_edge) { return half_edge / 3; }
@@ -108,6 +113,6 @@ class HalfEdgeMesh {
 /// Builds a mesh from triangles; false where they are not an oriented edge-manifold (`why` names the first
 /// offender), and then `mesh` is left as it was.
 bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh,
-               std::string* why = nullptr);
+               std::string* why = nullptr, const Context& context = {});
 
 }  // namespace mlsmesh::core
