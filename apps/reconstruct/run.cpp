@@ -68,8 +68,8 @@ void reconstructCloud(const pcl::PCLPointCloud2& cloud, const Options& options, 
   const Stopwatch stopwatch;
   context.progress.enterStage("prepare", 0.02);
   core::StoredAs stored_as = core::StoredAs::Float;
-  const std::vector<core::Vec3> positions = worldPositions(cloud, stored_as);
-  core::PointSet points = core::makePointSet(positions, stored_as, nullptr, context);
+  std::vector<core::Vec3> positions = worldPositions(cloud, stored_as);
+  core::PointSet points = core::makePointSet(std::move(positions), stored_as, nullptr, context);
   report.stages.push_back({"prepare", stopwatch.seconds()});
   report.result = core::reconstruct(std::move(points), nullptr, options.parameters, context);
   report.stages.insert(report.stages.end(), report.result.stages.begin(), report.result.stages.end());

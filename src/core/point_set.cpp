@@ -14,6 +14,7 @@
 
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/parallel.h"
+#include "radix_sort.h"
 
 namespace mlsmesh::core {
 
@@ -155,15 +156,25 @@ std::vector<Entry> sortedEntries(const std::vector<Vec3>& local, const std::vect
   parallelBlocks(context, inputs.size(), kBlock, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) entries[i] = {cells.key(local[inputs[i]]), inputs[i]};
   });
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    if (a.key != b.key) return a.key < b.key;
-    const Vec3 &p = local[a.input], &q = local[b.input];
-    return p == q ? a.input < b.input : comesBefore(p, q);
-  });
+  radixSort(entries, 3 * kMortonBits, [](const Entry& entry) { return entry.key; });
+  for (auto first = entries.begin(); first != entries.end();) {
+    const auto last = std::find_if(first, entries.end(), [&](const Entry& e) { return e.key != first->key; });
+    if (last - first > 1) {
+      std::sort(first, last, [&](const Entry& a, const Entry& b) {
+        const Vec3 &p = local[a.input], &q = local[b.input];
+        return p == q ? a.input < b.input : comesBefore(p, q);
+      });
+    }
+    first = last;
+  }
   return entries;
 }
 
 void keepDistinct(const std::vector<Vec3>& local, const std::vector<Entry>& entries, PointSet& set) {
+  set.position.reserve(entries.size());
+  set.source.reserve(entries.size());
+  set.duplicates_of.begin.reserve(entries.size() + 1);
+  set.duplicates_of.items.reserve(entries.size());
   for (const Entry& entry : entries) {
     const Vec3& position = local[entry.input];
     if (set.position.empty() || set.position.back() != position) {
@@ -223,7 +234,7 @@ Vec3 PointSet::stored(const Vec3& local) const {
   return roundedTo(stored_as, world(local)) - origin;
 }
 
-PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const std::vector<Index>* indices,
+PointSet makePointSet(std::vector<Vec3> world, StoredAs stored_as, const std::vector<Index>* indices,
                       Context& context) {
   PointSet set;
   set.stored_as = stored_as;
@@ -235,11 +246,13 @@ PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const 
   checkExtent(box);
   set.origin = roundedOrigin(box);
 
-  std::vector<Vec3> local(world.size());
+  std::vector<Vec3>& local = world;
   parallelBlocks(context, world.size(), kBlock, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) local[i] = set.stored(world[i] - set.origin);
   });
-  keepDistinct(local, sortedEntries(local, inputs, MortonCells(box, set.origin), context), set);
+  const std::vector<Entry> entries = sortedEntries(local, inputs, MortonCells(box, set.origin), context);
+  std::vector<Index>().swap(inputs);
+  keepDistinct(local, entries, set);
   checkShape(set, given, box);
   return set;
 }

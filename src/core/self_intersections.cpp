@@ -12,6 +12,7 @@
 
 #include "exact_predicates.h"
 #include "mlsmesh/core/parallel.h"
+#include "radix_sort.h"
 #include "triangle_meeting.h"
 
 namespace mlsmesh::core {
@@ -51,20 +52,6 @@ std::uint32_t spread(std::uint32_t bits) {
   bits = (bits | bits << 8) & 0x0300F00F;
   bits = (bits | bits << 4) & 0x030C30C3;
   return (bits | bits << 2) & 0x09249249;
-}
-
-// Stable, digit by digit.
-void sortByCode(std::vector<Place>& places) {
-  constexpr int kDigit = 10;
-  constexpr std::uint32_t kMask = (1U << kDigit) - 1;
-  std::vector<Place> sorted(places.size());
-  for (int shift = 0; shift < 3 * kCodeBits; shift += kDigit) {
-    std::array<std::size_t, kMask + 2> begin{};
-    for (const Place& place : places) ++begin[(place.code >> shift & kMask) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    for (const Place& place : places) sorted[begin[place.code >> shift & kMask]++] = place;
-    places.swap(sorted);
-  }
 }
 
 // A float that is not above the value (unless all are), and no farther off than two units in its last place.
@@ -213,7 +200,7 @@ void SelfIntersections::orderByPlace() {
       places[t] = {code, static_cast<Index>(t)};
     }
   });
-  sortByCode(places);
+  radixSort(places, 3 * kCodeBits, [](const Place& place) { return place.code; });
   order_.resize(places.size());
   for (std::size_t rank = 0; rank < places.size(); ++rank) order_[rank] = places[rank].triangle;
 }

@@ -32,7 +32,7 @@ struct PointSet {
 /// TooFewPoints (fewer than 3 distinct finite), DegenerateInput (all on a line within 1e-9 of the extent or
 /// two units in the last place of the stored coordinates; or an extent outside 1e-50 .. 1e50), Cancelled. O(n
 /// log n).
-PointSet makePointSet(const std::vector<Vec3>& world, StoredAs stored_as, const std::vector<Index>* indices,
+PointSet makePointSet(std::vector<Vec3> world, StoredAs stored_as, const std::vector<Index>* indices,
                       Context& context);
 
 /// Takes the listed points (ascending) out of the set; the order of the others stays.

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace mlsmesh::detail {
@@ -59,9 +60,9 @@ core::PointSet pointSetOf(const typename pcl::PointCloud<PointT>::ConstPtr& clou
   std::vector<core::Vec3> world;
   world.reserve(cloud->size());
   for (const PointT& point : *cloud) world.emplace_back(point.x, point.y, point.z);
-  if (!indices) return core::makePointSet(world, stored_as, nullptr, context);
+  if (!indices) return core::makePointSet(std::move(world), stored_as, nullptr, context);
   const std::vector<core::Index> chosen = coreIndices(*indices);
-  return core::makePointSet(world, stored_as, &chosen, context);
+  return core::makePointSet(std::move(world), stored_as, &chosen, context);
 }
 
 /// The cloud with all fields of its point type. Unlike pcl::toPCLPointCloud2 it takes clouds whose width and
