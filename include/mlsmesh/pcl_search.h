@@ -107,17 +107,17 @@ class PclSearch final : public core::NeighborSearch {
 
 /// The search to use over `points`: the user's through PclSearch, or the built-in k-d tree if `search` is
 /// null. PCL's OrganizedNeighbor cannot search points that are no longer organised: the built-in tree, which
-/// finds the same points, takes its place, with a warning.
+/// finds the same points, takes its place, with a warning. The points must outlive it.
 template <typename PointT>
 std::unique_ptr<core::NeighborSearch> makeSearch(const core::PointSet& points,
                                                  const typename pcl::search::Search<PointT>::Ptr& search,
                                                  core::Context& context) {
-  if (!search) return core::makeKdTree(points.position);
+  if (!search) return core::makeKdTreeOver(points.position);
   if (search->getName() == "OrganizedNeighbor") {
     context.warnings.emplace_back(
         "setSearchMethod: OrganizedNeighbor searches organised clouds only; the built-in k-d tree was used "
         "instead");
-    return core::makeKdTree(points.position);
+    return core::makeKdTreeOver(points.position);
   }
   return std::make_unique<PclSearch<PointT>>(points.position, search);
 }

@@ -177,23 +177,35 @@ bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh,
   return agreement < 0;
 }
 
-void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, const Islands& islands,
-                     const TriangulationParameters& parameters, const HalfEdgeMesh& mesh, Front& front) {
+// The triangles of an island. Those of the first, most often nearly all, are not kept.
+std::vector<Triangle> takeIsland(Index island, Islands& islands) {
+  const Index dropped = island == 0 ? 0 : islands.begin[1];
+  const auto first = islands.triangles.begin() + (islands.begin[island] - dropped);
+  const auto last = islands.triangles.begin() + (islands.begin[island + 1] - dropped);
+  if (island > 0) return {first, last};
+  std::vector<Triangle> rest(last, islands.triangles.end());
+  islands.triangles.erase(last, islands.triangles.end());
+  islands.triangles.swap(rest);
+  return rest;
+}
+
+void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, Islands islands,
+                     const TriangulationParameters& parameters, HalfEdgeMesh& mesh, Front& front) {
+  mesh.reserveTriangles(std::max(islands.begin.back(), 2 * mesh.vertexCount()));  // about as many as Euler says
   for (Index i = 0; i < islands.count(); ++i) {
-    std::vector<Triangle> usable;
-    for (Index t = islands.begin[i]; t < islands.begin[i + 1]; ++t) {
-      const Triangle& corners = islands.triangles[t];
-      if (std::all_of(corners.begin(), corners.end(),
-                      [&](Index v) { return isFree(input, normals, mesh, v); }) &&
-          input.support.supports(corners)) {
-        usable.push_back(corners);
-      }
-    }
+    std::vector<Triangle> usable = takeIsland(i, islands);
+    const auto isUsable = [&](const Triangle& t) {
+      const auto isFreeCorner = [&](Index v) { return isFree(input, normals, mesh, v); };
+      return (i == 0 || std::all_of(t.begin(), t.end(), isFreeCorner)) && input.support.supports(t);
+    };
+    usable.erase(std::remove_if(usable.begin(), usable.end(), [&](const Triangle& t) { return !isUsable(t); }),
+                 usable.end());
     if (usable.empty() || (i > 0 && static_cast<Index>(usable.size()) < kLeastIsland)) continue;
     if (isTurnedAgainst(input, mesh, usable)) {
       for (Triangle& t : usable) std::swap(t[1], t[2]);
     }
     for (const Triangle& t : usable) front.load(t);
+    std::vector<Triangle>().swap(usable);
     front.grow();
     if (!parameters.restart) return;
   }
@@ -238,25 +250,34 @@ void growFromSingleTriangles(const FrontInput& input, const std::vector<Vec3>& n
 // Turns every component so that the volume under it, seen from its own centroid, is positive: outward where
 // it is closed.
 void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
+  struct Body {
+    Vec3 centroid = Vec3::Zero();  // of the corners
+    Index triangles = 0;
+    double volume = 0;
+  };
   Index count = 0;
   const std::vector<Index> component = mesh.components(&count);
-  std::vector<std::vector<Index>> members(count);
-  for (Index t = 0; t < mesh.slotCount(); ++t) {
-    if (component[t] != kNone) members[component[t]].push_back(t);
-  }
-  for (const std::vector<Index>& triangles : members) {
-    Vec3 centroid = Vec3::Zero();
-    for (const Index t : triangles) {
-      for (const Index v : mesh.corners(t)) centroid += points[v];
+  std::vector<Body> bodies(static_cast<std::size_t>(count));
+  const auto forEach = [&](const auto& visit) {
+    for (Index t = 0; t < mesh.slotCount(); ++t) {
+      if (component[t] != kNone) visit(t, bodies[component[t]]);
     }
-    centroid /= 3.0 * static_cast<double>(triangles.size());
-    double volume = 0;
-    for (const Index t : triangles) {
-      const auto [a, b, c] = mesh.corners(t);
-      volume += (points[a] - centroid).dot((points[b] - centroid).cross(points[c] - centroid));
-    }
-    if (volume < 0) mesh.reverse(triangles);
-  }
+  };
+  forEach([&](Index t, Body& body) {
+    for (const Index v : mesh.corners(t)) body.centroid += points[v];
+    ++body.triangles;
+  });
+  for (Body& body : bodies) body.centroid /= 3.0 * static_cast<double>(body.triangles);
+  forEach([&](Index t, Body& body) {
+    const auto [a, b, c] = mesh.corners(t);
+    const Vec3& o = body.centroid;
+    body.volume += (points[a] - o).dot((points[b] - o).cross(points[c] - o));
+  });
+  std::vector<Index> inward;
+  forEach([&](Index t, Body& body) {
+    if (body.volume < 0) inward.push_back(t);
+  });
+  mesh.reverse(inward);
 }
 
 void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, HalfEdgeMesh& mesh,
@@ -271,9 +292,10 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
                 FrontStatistics& statistics) {
   Front front(input, parameters, context, mesh, statistics);
   if (parameters.seeds == SeedRule::AgreedStars) {
-    const StarRings stars =
-        localStars(input.points, normals, input.neighbors, input.spacing, parameters.length_factor, context);
-    growFromIslands(input, normals, agreedIslands(stars, context), parameters, mesh, front);
+    Islands islands = agreedIslands(
+        localStars(input.points, normals, input.neighbors, input.spacing, parameters.length_factor, context),
+        context);
+    growFromIslands(input, normals, std::move(islands), parameters, mesh, front);
   }
   if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, mesh, front);
   if (mesh.triangleCount() == 0) {
@@ -282,52 +304,113 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
   }
 }
 
+// What every vertex brings along. Lists of the caller's are read where they are, until copies of split
+// vertices are appended.
+template <typename T>
+class VertexList {
+ public:
+  explicit VertexList(const std::vector<T>* given = nullptr) : given_(given) {}
+  VertexList& operator=(std::vector<T> own) {
+    own_ = std::move(own);
+    given_ = nullptr;
+    return *this;
+  }
+
+  const std::vector<T>& get() const { return given_ ? *given_ : own_; }
+  void appendCopies(const std::vector<Index>& originals) {
+    if (originals.empty() || get().empty()) return;
+    if (given_) *this = std::vector<T>(*given_);
+    for (const Index original : originals) own_.push_back(T(own_[original]));
+  }
+
+ private:
+  const std::vector<T>* given_;
+  std::vector<T> own_;
+};
+
+struct VertexData {
+  VertexList<Vec3> points;
+  VertexList<Vec3> normals;
+  VertexList<double> cloud_spacing;
+  VertexList<Index> cloud_nearest;
+
+  explicit VertexData(const TriangulationInput& input)
+      : points(&input.points),
+        normals(input.normals),
+        cloud_spacing(input.cloud_spacing),
+        cloud_nearest(input.cloud_nearest) {}
+
+  void appendCopies(const std::vector<Index>& originals) {
+    points.appendCopies(originals);
+    normals.appendCopies(originals);
+    cloud_spacing.appendCopies(originals);
+    cloud_nearest.appendCopies(originals);
+  }
+};
+
+CloudSupport supportOf(const TriangulationInput& input, const VertexData& data, double reach) {
+  if (!input.cloud) return {};
+  CloudSupport support(data.points.get(), data.cloud_spacing.get(), *input.cloud, reach);
+  if (input.cloud_points && input.cloud_nearest) {
+    support.knowNearest(*input.cloud_points, data.cloud_nearest.get());
+  }
+  return support;
+}
+
+// Triangulates, as far as fronts come; completes the normals and the spacing.
+HalfEdgeMesh growMesh(const TriangulationInput& input, const TriangulationParameters& parameters,
+                      const Context& context, VertexData& data, FrontStatistics& statistics) {
+  const std::vector<Vec3>& points = input.points;
+  NeighborTable neighbors;
+  std::vector<double> spacing;
+  {
+    const auto own_search = input.search ? nullptr : makeKdTree(points);
+    const NeighborSearch& search = input.search ? *input.search : *own_search;
+    neighbors = nearestOfAll(points, search, parameters.neighbors, context);
+    spacing = localSpacings(points, neighbors, context);
+    std::vector<char> on_line;
+    std::vector<Vec3> normals =
+        input.normals ? *input.normals : tangentNormals(points, neighbors, context, &on_line);
+    if (std::find(on_line.begin(), on_line.end(), 1) != on_line.end())
+      widenLines(points, on_line, search, context, neighbors, spacing, normals);
+    if (!input.normals) data.normals = std::move(normals);
+  }
+  HalfEdgeMesh mesh(static_cast<Index>(points.size()));
+  const std::vector<double>& local = input.cloud_spacing ? spacing : data.cloud_spacing.get();
+  if (!input.cloud_spacing) data.cloud_spacing = std::move(spacing);
+  const CloudSupport support = supportOf(input, data, parameters.support_reach);
+  growFronts({points, neighbors, local, support}, data.normals.get(), parameters, context, mesh, statistics);
+  return mesh;
+}
+
+Index unusedPoints(const HalfEdgeMesh& mesh, std::size_t points) {
+  Index unused = 0;
+  for (std::size_t p = 0; p < points; ++p) unused += mesh.isUsed(static_cast<Index>(p)) ? 0 : 1;
+  return unused;
+}
+
 }  // namespace
 
 Triangulation triangulate(const TriangulationInput& input, const TriangulationParameters& parameters,
                           const Context& context) {
-  std::vector<Vec3> points = input.points;
-  const auto own_search = input.search ? nullptr : makeKdTree(points);
-  const NeighborSearch& search = input.search ? *input.search : *own_search;
-  NeighborTable neighbors = nearestOfAll(points, search, parameters.neighbors, context);
-  std::vector<double> spacing = localSpacings(points, neighbors, context);
-  std::vector<char> on_line;
-  std::vector<Vec3> normals =
-      input.normals ? *input.normals : tangentNormals(points, neighbors, context, &on_line);
-  if (std::find(on_line.begin(), on_line.end(), 1) != on_line.end())
-    widenLines(points, on_line, search, context, neighbors, spacing, normals);
-  std::vector<double> cloud_spacing = input.cloud_spacing ? *input.cloud_spacing : spacing;
-  std::vector<Index> cloud_nearest = input.cloud_nearest ? *input.cloud_nearest : std::vector<Index>();
-  CloudSupport support;
-  if (input.cloud) {
-    support = CloudSupport(points, cloud_spacing, *input.cloud, parameters.support_reach);
-    if (input.cloud_points && input.cloud_nearest) support.knowNearest(*input.cloud_points, cloud_nearest);
-  }
-  const FrontInput front_input{input.points, neighbors, spacing, support};
-
   Triangulation result;
-  HalfEdgeMesh mesh(static_cast<Index>(points.size()));
-  growFronts(front_input, normals, parameters, context, mesh, result.statistics);
-
-  const FillLimits limits{
-      parameters.fill_max_edges,
-      parameters.fill_max_perimeter,
-      input.spacing,
-      &cloud_spacing,
+  VertexData data(input);
+  HalfEdgeMesh mesh = growMesh(input, parameters, context, data, result.statistics);
+  const auto closeSmallLoops = [&] {
+    const FillLimits limits{parameters.fill_max_edges, parameters.fill_max_perimeter, input.spacing,
+                            &data.cloud_spacing.get()};
+    if (parameters.fill_small_loops) closeLoops(data.points.get(), limits, mesh, result.statistics);
   };
-  if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
+  closeSmallLoops();
   const PinchCount pinches =
       resolvePinches(mesh, kLargestDroppedFan, input.may_split ? &result.duplicate_of : nullptr);
   result.statistics.dropped_triangles = pinches.dropped_triangles;
   result.statistics.split_vertices = pinches.split_vertices;
-  for (const Index original : result.duplicate_of) {
-    points.push_back(points[original]);
-    cloud_spacing.push_back(cloud_spacing[original]);
-    if (!cloud_nearest.empty()) cloud_nearest.push_back(cloud_nearest[original]);
-    normals.push_back(normals[original]);
-  }
-  if (parameters.fill_small_loops) closeLoops(points, limits, mesh, result.statistics);
+  data.appendCopies(result.duplicate_of);
+  closeSmallLoops();
+  const std::vector<Vec3>&points = data.points.get(), &normals = data.normals.get();
   if (parameters.heal) {
+    const CloudSupport support = supportOf(input, data, parameters.support_reach);
     Healing healing = healMesh(mesh, {points, normals, support}, parameters, context);
     result.statistics.healing = healing.statistics;
     result.troubled = std::move(healing.troubled);
@@ -337,9 +420,7 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   const SeamCount seams = countSeams(mesh, points, normals);
   result.statistics.seams = seams.seams;
   result.statistics.seam_edges = seams.edges;
-  for (std::size_t p = 0; p < input.points.size(); ++p) {
-    result.statistics.unused_points += mesh.isUsed(static_cast<Index>(p)) ? 0 : 1;
-  }
+  result.statistics.unused_points = unusedPoints(mesh, input.points.size());
   result.triangles = mesh.triangles();
   return result;
 }

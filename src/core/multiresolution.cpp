@@ -80,7 +80,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
                            const MultiresolutionParameters& parameters, Context& context) {
   check(parameters);
   const SearchFactory makeSearch =
-      search_factory ? search_factory : [](const PointSet& set) { return makeKdTree(set.position); };
+      search_factory ? search_factory : [](const PointSet& set) { return makeKdTreeOver(set.position); };
   Reconstruction result;
   Stopwatch stages(context.progress, result.stages);
   std::unique_ptr<Surroundings> cloud;

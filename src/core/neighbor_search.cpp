@@ -78,11 +78,12 @@ class BestK final : public flann::ResultSet<double> {
   double* const distances_;
 };
 
-/// FLANN's tree copies the points in its own order while it is built and never looks at ours again.
+/// With `copy` FLANN's tree takes the points over in its own order while it is built and never looks at ours
+/// again.
 class KdTree final : public NeighborSearch {
  public:
-  explicit KdTree(const std::vector<Vec3>& points)
-      : size_(static_cast<Index>(points.size())), tree_(flann::KDTreeSingleIndexParams(kLeafSize, true)) {
+  KdTree(const std::vector<Vec3>& points, bool copy)
+      : size_(static_cast<Index>(points.size())), tree_(flann::KDTreeSingleIndexParams(kLeafSize, copy)) {
     if (points.empty()) return;
     double* const coordinates = const_cast<double*>(points.front().data());
     tree_.buildIndex(flann::Matrix<double>(coordinates, points.size(), 3));
@@ -138,7 +139,11 @@ double distanceToNearestOther(const std::vector<Vec3>& points, const NeighborSea
 }  // namespace
 
 std::unique_ptr<NeighborSearch> makeKdTree(const std::vector<Vec3>& points) {
-  return std::make_unique<KdTree>(points);
+  return std::make_unique<KdTree>(points, true);
+}
+
+std::unique_ptr<NeighborSearch> makeKdTreeOver(const std::vector<Vec3>& points) {
+  return std::make_unique<KdTree>(points, false);
 }
 
 NeighborTable nearestOfAll(const std::vector<Vec3>& points, const NeighborSearch& search, int k,
