@@ -149,10 +149,13 @@ class Gains {
     });
   }
 
-  bool isGain(Index h, Index g, const Quad& quad) const {
-    const bool changed = changed_[HalfEdgeMesh::triangleOf(h)] || changed_[HalfEdgeMesh::triangleOf(g)];
-    return changed ? isBetter(quad, rule_) : is_better_[h] != 0;
+  bool isKnown(Index h, Index g) const {
+    return !changed_[HalfEdgeMesh::triangleOf(h)] && !changed_[HalfEdgeMesh::triangleOf(g)];
   }
+  bool isGain(Index h, Index g, const Quad& quad) const {
+    return isKnown(h, g) ? is_better_[h] != 0 : isBetter(quad, rule_);
+  }
+  bool isKnownLoss(Index h, Index g) const { return is_better_[h] == 0 && isKnown(h, g); }
   void noteFlip(Index h, Index g) {
     changed_[HalfEdgeMesh::triangleOf(h)] = changed_[HalfEdgeMesh::triangleOf(g)] = 1;
   }
@@ -177,7 +180,7 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
     Index flipped = 0;
     for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
       const Index g = beyondLower(mesh, h);
-      if (g == kNone) continue;
+      if (g == kNone || gains.isKnownLoss(h, g)) continue;
       const std::array<Index, 4> corners = cornersAround(mesh, h, g);
       if (!disturbed.any(corners, round)) continue;
       const Quad q = quadOf(position, corners);

@@ -194,11 +194,13 @@ HalfEdgeMesh finestMesh(const RefinedMesh& refined, const Context& context) {
   const Index vertices = static_cast<Index>(refined.position.size());
   if (!buildMesh(vertices, refined.level_triangles.back(), mesh, &why, context))
     throw Failure(StatusCode::InvalidMesh, why);
-  for (Index v = 0; v < vertices; ++v) {
-    if (mesh.fanCount(v) < 2) continue;
-    throw Failure(StatusCode::InvalidMesh,
-                  "vertex " + std::to_string(v) + " joins fans of triangles that share no edge");
-  }
+  parallelBlocks(context, refined.position.size(), 4096, [&](std::size_t first, std::size_t last) {
+    for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v) {
+      if (mesh.fanCount(v) < 2) continue;
+      throw Failure(StatusCode::InvalidMesh,
+                    "vertex " + std::to_string(v) + " joins fans of triangles that share no edge");
+    }
+  });
   return mesh;
 }
 

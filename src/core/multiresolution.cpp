@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "level_zero.h"
+#include "mlsmesh/core/parallel.h"
 #include "mlsmesh/core/parameter_check.h"
+#include "mlsmesh/core/self_intersections.h"
 #include "reduction_stages.h"
 
 namespace mlsmesh::core {
@@ -35,13 +37,18 @@ class Stopwatch {
   std::vector<StageTime>& stages_;
 };
 
-MeshReport reportLevel(const RefinedMesh& mesh, Index level, const Context& context) {
-  const std::vector<Vec3> vertices(mesh.position.begin(), mesh.position.begin() + mesh.level_vertices[level]);
-  const std::optional<std::int64_t>& known = mesh.level_intersections[level];
-  if (!known) return reportMesh(vertices, mesh.level_triangles[level], context);
-  MeshReport report = reportMesh(vertices, mesh.level_triangles[level]);
-  report.self_intersections = known;
-  return report;
+std::vector<MeshReport> reportLevels(const RefinedMesh& mesh, const Context& context) {
+  std::vector<MeshReport> reports(static_cast<std::size_t>(mesh.levelCount()));
+  parallelBlocks(context, reports.size(), 1, [&](std::size_t level, std::size_t) {
+    const auto begin = mesh.position.begin();
+    reports[level] = reportMesh({begin, begin + mesh.level_vertices[level]}, mesh.level_triangles[level]);
+  });
+  for (std::size_t level = 0; level < reports.size(); ++level) {
+    std::optional<std::int64_t>& pairs = reports[level].self_intersections;
+    pairs = mesh.level_intersections[level];
+    if (!pairs) pairs = SelfIntersections(mesh.position, mesh.level_triangles[level], context).count();
+  }
+  return reports;
 }
 
 NoiseEstimate noiseOf(const Surroundings& cloud, double spacing, const MultiresolutionParameters& parameters,
@@ -109,9 +116,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
     });
   }
   stages.run("report", 1.0, [&] {
-    for (Index level = 0; level < result.mesh.levelCount(); ++level) {
-      result.reports.push_back(reportLevel(result.mesh, level, context));
-    }
+    result.reports = reportLevels(result.mesh, context);
   });
   result.points = std::move(cloud->points);
   return result;
