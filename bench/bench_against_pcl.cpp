@@ -41,6 +41,7 @@ class Subject {
 
   const std::vector<mlsmesh::core::Vec3>& ordered() {
     mlsmesh::core::Context context;
+    context.threads = 1;  // others would still spin while the clock runs
     const auto stored_as = mlsmesh::core::StoredAs::Float;
     if (!set_) set_ = mlsmesh::core::makePointSet(positionsOf(*cloud_), stored_as, nullptr, context);
     return set_->position;
