@@ -51,9 +51,10 @@ COMPARISONS = [
     Comparison("projection-bunny", "MLS projection of every point", MLS, "bunny", "projection", "pcl/moving_least_squares", 5),
     Comparison("projection-armadillo", "MLS projection of every point", MLS, "armadillo", "projection",
                "pcl/moving_least_squares", 5),
-    Comparison("threads", "default, levels 0 to 2, on 2 threads", "the same on 1 thread", "1m", "levels_0_to_2", "threads", 1.75),
-    Comparison("size", "default, levels 0 to 2, time a point of the larger cloud", "of the smaller", "sizes", "pipeline/levels_0_to_2", "size",
-               1.25, True),
+    Comparison("threads", "default, levels 0 to 2, on 2 threads", "the same on 1 thread", "1m", "levels_0_to_2",
+               "threads", 1.75),
+    Comparison("size", "default, levels 0 to 2, time a point of the larger cloud", "of the smaller", "sizes",
+               "pipeline/levels_0_to_2", "size", 1.25, True),
 ]
 
 MEMORY_RUNS = [

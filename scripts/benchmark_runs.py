@@ -10,8 +10,12 @@ import sys
 REPEAT_FLAGS = ["--benchmark_min_time=0.001", "--benchmark_enable_random_interleaving=true"]
 
 
+class Absent(Exception):
+    """Something that a figure needs was not given; the text says what."""
+
+
 class Failed(Exception):
-    """A program that is absent, ended badly or printed what it should not; the text says which and how."""
+    """A program could not be run or ended badly; the text says which and how."""
 
 
 @dataclasses.dataclass

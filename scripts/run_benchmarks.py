@@ -3,7 +3,8 @@
 """Runs the programs of bench/ and writes their figures as Markdown: ratios, times, memory, the command behind each.
 
 A ratio is of the best of --repetitions runs of either side, taken in turn by one process on a cloud that it has read.
-What cannot be measured because something is absent is named on standard error and in the report, never made up.
+What cannot be measured because something is absent is named on standard error and in the report, never made up. The exit
+code is 1 if a program that is there failed.
 docs/benchmarks.md says what the figures are. Needs the build that -DMLSMESH_BUILD_BENCH=ON makes, and Linux.
 """
 
@@ -15,14 +16,13 @@ import sys
 import tempfile
 
 import benchmark_report as report
+from benchmark_clouds import Clouds, synthetic
 from benchmark_rows import COMPARISONS, MEMORY_RUNS, STEP_POINTS, STEPS, Comparison
-from benchmark_runs import REPEAT_FLAGS, Cloud, Failed, Programs, Timing, filter_of, peer_once, run, say
+from benchmark_runs import REPEAT_FLAGS, Absent, Cloud, Failed, Programs, Timing, filter_of, peer_once, say
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPECIAL = ("cgal", "threads", "size")
-DATA_FILES = {"bunny": "cloud/bunny_35947.pcd", "armadillo": "sampled/armadillo_200k_uniform.pcd"}
 LARGE_REPETITIONS = 2
-QUICK_POINTS = {"bunny": 5_000, "armadillo": 10_000, "1m": 20_000}
 
 
 @dataclasses.dataclass
@@ -46,14 +46,6 @@ def ratio(comparison, ours, theirs):
     return ours / theirs if comparison.at_most else theirs / ours
 
 
-def synthetic(points):
-    return Cloud(f"synthetic, {points:,} points", ["--points", points], f"--points {points}")
-
-
-def from_file(label, file, shown):
-    return Cloud(label, ["--cloud", file], f"--cloud {shown}", str(file))
-
-
 class Session:
     """One run of this script: what it found and what it had to leave out."""
 
@@ -61,10 +53,11 @@ class Session:
         self.options = options
         self.work = pathlib.Path(work)
         self.programs = Programs(options.bin, work, options.repetitions)
-        self.clouds = {}
+        self.clouds = Clouds(options, work, self.skip)
         self.two_threads = {}  # (cloud, benchmark) -> Timing
         self.results, self.times, self.memory, self.steps = [], [], [], None
         self.commands, self.skipped = [], []
+        self.failed = False
 
     def skip(self, what, why):
         say(f"SKIPPED: {what}: {why}")
@@ -76,39 +69,11 @@ class Session:
     def attempt(self, what, work, *arguments):
         try:
             work(*arguments)
+        except Absent as absent:
+            self.skip(what, absent)
         except Failed as failure:
+            self.failed = True
             self.skip(what, failure)
-
-    # Clouds
-
-    def cloud(self, key):
-        if key not in self.clouds:
-            self.clouds[key] = self.find_cloud(key)
-        return self.clouds[key]
-
-    def find_cloud(self, key):
-        if self.options.quick:
-            return synthetic(QUICK_POINTS[key])
-        if key == "1m":
-            return self.million()
-        file = pathlib.Path(self.options.data) / DATA_FILES[key]
-        if not file.is_file():
-            raise Failed(f"no {DATA_FILES[key]} in the data; name their folder with --data or MLSMESH_DATA_DIR")
-        return from_file(file.stem, file, f"$DATA/{DATA_FILES[key]}")
-
-    def million(self):
-        if self.options.cloud_1m:
-            file = pathlib.Path(self.options.cloud_1m)
-            return from_file(file.stem, file, file.name)
-        mesh = pathlib.Path(self.options.data) / "mesh/armadillo.ply"
-        if self.options.sampler and mesh.is_file():
-            file = self.work / "armadillo_1m.pcd"
-            run([self.options.sampler, mesh, file, "--n", "1000000", "--seed", "9"])
-            self.commands.append(("armadillo_1m.pcd", "sample_mesh $DATA/mesh/armadillo.ply armadillo_1m.pcd --n 1000000 --seed 9"))
-            return from_file("armadillo, 1,000,000 points", file, file.name)
-        absent = "no mesh/armadillo.ply in the data" if self.options.sampler else "neither --cloud-1m nor --sampler is given"
-        self.skip("armadillo, 1,000,000 points", f"{absent}; the synthetic cloud takes its place")
-        return synthetic(1_000_000)
 
     # Ratios
 
@@ -125,7 +90,7 @@ class Session:
         self.results.sort(key=lambda result: COMPARISONS.index(result.comparison))
 
     def compare_with_pcl(self, key, comparisons):
-        cloud = self.cloud(key)
+        cloud = self.clouds.get(key)
         names = {f"mlsmesh/{c.ours}/threads:1" for c in comparisons} | {c.theirs for c in comparisons}
         timings = self.measure("bench_against_pcl", cloud, names, [1])
         for c in comparisons:
@@ -135,10 +100,10 @@ class Session:
 
     def compare_with_cgal(self, c):
         if not self.options.cgal:
-            raise Failed("no --cgal PROGRAM is given")
-        cloud = self.cloud(c.cloud)
+            raise Absent("no --cgal PROGRAM is given")
+        cloud = self.clouds.get(c.cloud)
         if not cloud.file:
-            raise Failed("it reads a file, and this cloud is in none")
+            raise Absent("it reads a file, and this cloud is in none")
         name = f"mlsmesh/{c.ours}/threads:1"
         ours, theirs = Timing(name), Timing("cgal/advancing_front")
         for _ in range(self.options.repetitions):
@@ -150,10 +115,10 @@ class Session:
         self.times.append((cloud.label, 1, theirs))
         self.add_result(c, cloud, ours, theirs)
         self.add_command(c.id, "bench_against_pcl", cloud, [name], [1])
-        self.commands.append((c.id, f"peer_cgal advancing_front {cloud.shown.split()[1]} out.ply"))
+        self.commands.append((c.id, f"CGAL_PROGRAM advancing_front {cloud.shown.split()[1]} out.ply"))
 
     def compare_threads(self, c):
-        cloud = self.cloud(c.cloud)
+        cloud = self.clouds.get(c.cloud)
         one, two = (f"mlsmesh/{c.ours}/threads:{threads}" for threads in (1, 2))
         timings = self.measure("bench_against_pcl", cloud, {one, two}, [1, 2])
         spread = max(max(timings[name].wall) / min(timings[name].wall) - 1 for name in (one, two))
@@ -163,7 +128,7 @@ class Session:
 
     def compare_sizes(self, c):
         if not self.options.large and not self.options.quick:
-            raise Failed("needs --large")
+            raise Absent("needs --large")
         few, many = (10_000, 20_000) if self.options.quick else (1_000_000, 10_000_000)
         cloud = Cloud(f"synthetic, {few:,} and {many:,} points", ["--points", f"{few},{many}"], f"--points {few},{many}")
         small, large = (f"{c.ours}/points:{points}/threads:1" for points in (few, many))
@@ -239,9 +204,10 @@ class Session:
         if self.steps:
             parts += ["\n### Steps\n\nCPU microseconds a point on one thread (spread), synthetic cloud.\n\n",
                       report.step_table(*self.steps)]
-        parts += ["\n### Commands\n\n`BIN` is the folder of the programs, `DATA` that of the data, `REPEAT` stands for "
+        parts += ["\n### Commands\n\n`scripts/run_benchmarks.py --only FIGURE` runs those of one figure. `BIN` is the folder of the programs, `DATA` "
+                  "that of the data, `SAMPLER` and `CGAL_PROGRAM` what the script was given, and `REPEAT` stands for "
                   f"`--benchmark_repetitions={self.options.repetitions} {' '.join(REPEAT_FLAGS)}`.\n\n",
-                  report.command_list(self.commands)]
+                  report.command_list(self.clouds.commands + self.commands)]
         if self.skipped:
             parts += ["\n### Left out\n\n", *(f"- {line}\n" for line in self.skipped)]
         return "".join(parts)
@@ -253,7 +219,8 @@ def parse_options():
     parser.add_argument("--bin", default=str(ROOT / "build/release/bin"), help="folder of the programs (build/release/bin)")
     parser.add_argument("--data", default=os.environ.get("MLSMESH_DATA_DIR", str(ROOT.parent / "shared/data")),
                         help="folder of the clouds (MLSMESH_DATA_DIR, or ../shared/data)")
-    parser.add_argument("--cgal", metavar="PROGRAM", help="called as PROGRAM advancing_front CLOUD OUT.ply, prints its stages as JSON")
+    parser.add_argument("--cgal", metavar="PROGRAM",
+                        help="called as PROGRAM advancing_front CLOUD OUT.ply, prints its stages as JSON")
     parser.add_argument("--sampler", metavar="PROGRAM", help="called as PROGRAM MESH.ply OUT.pcd --n N --seed S")
     parser.add_argument("--cloud-1m", metavar="FILE", help="cloud of the rows at a million points, in place of the sampler's")
     parser.add_argument("--repetitions", type=int, default=5, help="of which the best counts (5)")
@@ -284,8 +251,7 @@ def main():
         if session.wanted("steps"):
             session.attempt("steps", session.measure_steps)
         report.write(session.text(load), options.output)
-    measured = session.results or session.memory or session.steps
-    return 0 if measured else 1
+    return 1 if session.failed else 0
 
 
 if __name__ == "__main__":
