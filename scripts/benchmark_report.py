@@ -22,6 +22,12 @@ def ratio_text(value):
     return "–" if value is None else f"{value:.2f}"
 
 
+def two_threads_text(result):
+    if result.two_threads is None:
+        return "–"
+    return f"{result.two_threads:.2f} ({percent(result.two_threads_spread)})"
+
+
 def goal_text(result, judge):
     c = result.comparison
     if not c.goal:
@@ -33,7 +39,7 @@ def verdict(reached):
     return ", reached" if reached else ", missed"
 
 
-def machine(context, load):
+def machine(context, others):
     """One line on the machine and the build that was measured."""
     model = re.search(r"^model name\s*: (.*)$", _read("/proc/cpuinfo"), re.MULTILINE)
     memory = re.search(r"^MemTotal:\s*(\d+)", _read("/proc/meminfo"), re.MULTILINE)
@@ -41,7 +47,7 @@ def machine(context, load):
     if memory:
         parts.append(f"{int(memory.group(1)) / 2**20:.0f} GiB")
     parts += [context.get("compiler", "compiler unknown"), f"mlsmesh {context.get('mlsmesh', '?')}"]
-    parts.append(f"load average of the machine before the run {load:.2f}")
+    parts.append(f"of which other programs took {percent(others)} of a core meanwhile")
     text = ", ".join(parts) + "."
     if context.get("assertions") == "on":
         text += " **Built with assertions: not a release build, the times mean little.**"
@@ -62,17 +68,17 @@ def comparison_table(results, judge):
     for result in results:
         c = result.comparison
         rows.append([c.id, c.work, result.cloud, c.against, ratio_text(result.cpu), ratio_text(result.wall),
-                     ratio_text(result.two_threads), percent(result.spread), goal_text(result, judge)])
+                     two_threads_text(result), percent(result.spread), goal_text(result, judge)])
     return table(heads, rows)
 
 
 def time_table(entries):
     """Of (cloud, threads, timing)."""
-    heads = ["cloud", "benchmark", "threads", "CPU ms", "wall ms", "spread", "made"]
+    heads = ["cloud", "benchmark", "threads", "CPU ms", "spread", "wall ms", "spread", "made"]
     rows = []
     for cloud, threads, timing in entries:
-        rows.append([cloud, f"`{timing.name}`", threads, f"{min(timing.cpu):.1f}", f"{min(timing.wall):.1f}",
-                     percent(timing.spread), timing.count])
+        rows.append([cloud, f"`{timing.name}`", threads, f"{min(timing.cpu):.1f}", percent(timing.spread),
+                     f"{min(timing.wall):.1f}", percent(timing.wall_spread), timing.count])
     return table(heads, rows)
 
 

@@ -3,9 +3,11 @@
 
 import dataclasses
 import json
+import os
 import pathlib
 import subprocess
 import sys
+import time
 
 REPEAT_FLAGS = ["--benchmark_min_time=0.001", "--benchmark_enable_random_interleaving=true"]
 
@@ -31,6 +33,10 @@ class Timing:
     def spread(self):
         """By how much of the best the slowest repetition was slower, in CPU time."""
         return max(self.cpu) / min(self.cpu) - 1
+
+    @property
+    def wall_spread(self):
+        return max(self.wall) / min(self.wall) - 1
 
 
 @dataclasses.dataclass
@@ -59,6 +65,26 @@ def run(command):
         last = (done.stderr.strip() or "no message").splitlines()[-1]
         raise Failed(f"{command[0]}: exit code {done.returncode}: {last}")
     return done.stdout
+
+
+class Disturbance:
+    """How busy other programs kept the machine since this was made."""
+
+    def __init__(self):
+        self.start = time.monotonic(), self._busy()
+
+    @staticmethod
+    def _busy():
+        """Seconds of all cores in which anything ran but this script and what it started."""
+        first = pathlib.Path("/proc/stat").read_text(encoding="utf-8").splitlines()[0].split()[1:]
+        user, nice, system, _idle, _wait, irq, softirq, steal = map(int, first[:8])
+        own = sum(os.times()[:4])
+        return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK") - own
+
+    def share(self):
+        """Of one core, 0 for a quiet machine."""
+        begin, busy = self.start
+        return max(0.0, (self._busy() - busy) / (time.monotonic() - begin))
 
 
 class Programs:

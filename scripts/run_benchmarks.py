@@ -18,7 +18,7 @@ import tempfile
 import benchmark_report as report
 from benchmark_clouds import Clouds, synthetic
 from benchmark_rows import COMPARISONS, MEMORY_RUNS, STEP_POINTS, STEPS, Comparison
-from benchmark_runs import REPEAT_FLAGS, Absent, Cloud, Failed, Programs, Timing, filter_of, peer_once, say
+from benchmark_runs import REPEAT_FLAGS, Absent, Cloud, Disturbance, Failed, Programs, Timing, filter_of, peer_once, say
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPECIAL = ("cgal", "threads", "size")
@@ -35,6 +35,7 @@ class Result:
     cpu: float = None
     wall: float = None
     two_threads: float = None
+    two_threads_spread: float = None
 
     @property
     def reached(self):
@@ -121,9 +122,9 @@ class Session:
         cloud = self.clouds.get(c.cloud)
         one, two = (f"mlsmesh/{c.ours}/threads:{threads}" for threads in (1, 2))
         timings = self.measure("bench_against_pcl", cloud, {one, two}, [1, 2])
-        spread = max(max(timings[name].wall) / min(timings[name].wall) - 1 for name in (one, two))
+        spread = max(timings[one].wall_spread, timings[two].wall_spread)
         gain = min(timings[one].wall) / min(timings[two].wall)
-        self.results.append(Result(c, cloud.label, spread, two_threads=gain))
+        self.results.append(Result(c, cloud.label, timings[one].spread, two_threads=gain, two_threads_spread=spread))
         self.add_command(c.id, "bench_against_pcl", cloud, [one, two], [1, 2])
 
     def compare_sizes(self, c):
@@ -151,7 +152,7 @@ class Session:
         two = self.on_two_threads(cloud, f"mlsmesh/{c.ours}/threads:2")
         self.results.append(Result(
             c, cloud.label, max(ours.spread, theirs.spread), ratio(c, min(ours.cpu), min(theirs.cpu)),
-            ratio(c, min(ours.wall), min(theirs.wall)), ratio(c, min(two.wall), min(theirs.wall))))
+            ratio(c, min(ours.wall), min(theirs.wall)), ratio(c, min(two.wall), min(theirs.wall)), two.wall_spread))
 
     def on_two_threads(self, cloud, name):
         if (cloud.label, name) not in self.two_threads:
@@ -190,11 +191,11 @@ class Session:
 
     # Report
 
-    def text(self, load):
+    def text(self, others):
         quick = "**A quick run on tiny clouds, once each: these figures show that the programs run and nothing else.**\n\n"
-        parts = [quick if self.options.quick else "", report.machine(self.programs.context, load), "\n\n"]
-        parts += [f"Best of {self.options.repetitions}; the spread is by how much the slowest repetition of the two sides exceeds "
-                  "the best, in CPU time.\n"]
+        parts = [quick if self.options.quick else "", report.machine(self.programs.context, others), "\n\n"]
+        parts += [f"Best of {self.options.repetitions}; the spread is by how much the slowest repetition of the two sides "
+                  "exceeds the best, in CPU time; in brackets, that of ours on two threads in wall time.\n"]
         if self.results:
             parts += ["\n### Ratios\n\n", report.comparison_table(self.results, judge=not self.options.quick)]
         if self.memory:
@@ -204,8 +205,8 @@ class Session:
         if self.steps:
             parts += ["\n### Steps\n\nCPU microseconds a point on one thread (spread), synthetic cloud.\n\n",
                       report.step_table(*self.steps)]
-        parts += ["\n### Commands\n\n`scripts/run_benchmarks.py --only FIGURE` runs those of one figure. `BIN` is the folder of the programs, `DATA` "
-                  "that of the data, `SAMPLER` and `CGAL_PROGRAM` what the script was given, and `REPEAT` stands for "
+        parts += ["\n### Commands\n\n`scripts/run_benchmarks.py --only FIGURE` runs those of one figure. "
+                  "`BIN` is the folder of the programs, `DATA` that of the data, `SAMPLER` and `CGAL_PROGRAM` what the script was given, and `REPEAT` stands for "
                   f"`--benchmark_repetitions={self.options.repetitions} {' '.join(REPEAT_FLAGS)}`.\n\n",
                   report.command_list(self.clouds.commands + self.commands)]
         if self.skipped:
@@ -241,16 +242,17 @@ def parse_options():
 
 def main():
     options = parse_options()
-    load = os.getloadavg()[0]
-    if load > 0.3 and not options.quick:
-        say(f"WARNING: the machine is not quiet: load average {load:.2f}")
+    disturbance = Disturbance()
     with tempfile.TemporaryDirectory() as work:
         session = Session(options, work)
         session.compare_all()
         session.measure_memory()
         if session.wanted("steps"):
             session.attempt("steps", session.measure_steps)
-        report.write(session.text(load), options.output)
+        others = disturbance.share()
+        if others > 0.1 and not options.quick:
+            say(f"WARNING: the machine was not quiet: other programs took {100 * others:.0f} % of a core")
+        report.write(session.text(others), options.output)
     return 1 if session.failed else 0
 
 
