@@ -40,15 +40,14 @@ def verdict(reached):
 
 
 def machine(context, others):
-    """One line on the machine and the build that was measured."""
+    """One line on the machine, the build that was measured, and what disturbed it."""
     model = re.search(r"^model name\s*: (.*)$", _read("/proc/cpuinfo"), re.MULTILINE)
     memory = re.search(r"^MemTotal:\s*(\d+)", _read("/proc/meminfo"), re.MULTILINE)
     parts = [model.group(1).strip() if model else "CPU unknown", f"{os.cpu_count()} cores"]
     if memory:
         parts.append(f"{int(memory.group(1)) / 2**20:.0f} GiB")
     parts += [context.get("compiler", "compiler unknown"), f"mlsmesh {context.get('mlsmesh', '?')}"]
-    parts.append(f"of which other programs took {percent(others)} of a core meanwhile")
-    text = ", ".join(parts) + "."
+    text = ", ".join(parts) + f". Other programs took {percent(others)} of a core meanwhile."
     if context.get("assertions") == "on":
         text += " **Built with assertions: not a release build, the times mean little.**"
     return text
