@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # What takes longer than .ci/run: both compilers with warnings as errors, the whole suite with both, the core's tests
-# under the sanitizers, every cloud of the data, random scans of known surfaces.
+# under the sanitizers, every cloud of the data, random scans of known surfaces, whether the benchmarks run.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -23,4 +23,7 @@ MLSMESH_PRESET=dev "$root/scripts/check_data.sh" --all
 
 echo "== random scans"
 MLSMESH_PRESET=dev "$root/scripts/check_random_scans.sh" 200
+
+echo "== benchmarks"
+"$root/scripts/run_benchmarks.py" --quick --bin "$root/build/dev/bin" > /dev/null
 echo "check_all: passed"
