@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <atomic>
+#include <iterator>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 #include "core/exact_predicates.h"
 #include "mlsmesh/core/failure.h"
+#include "mlsmesh/core/half_edge_mesh.h"
+#include "mlsmesh/core/parallel.h"
 #include "mlsmesh/core/self_intersections.h"
 
 namespace mlsmesh {
@@ -54,7 +56,8 @@ bool hasValidCorners(const Triangle& face, Index vertices) {
 /// the next.
 class Soup {
  public:
-  Soup(Index vertices, std::vector<Triangle> faces) : vertices_(vertices), faces_(std::move(faces)) {
+  /// The faces must outlive it.
+  Soup(Index vertices, const std::vector<Triangle>& faces) : vertices_(vertices), faces_(faces) {
     sortHalfEdges();
   }
 
@@ -105,7 +108,7 @@ class Soup {
   }
 
   Index vertices_;
-  std::vector<Triangle> faces_;
+  const std::vector<Triangle>& faces_;
   std::vector<Index> sorted_;
   std::vector<Index> begin_;
 };
@@ -195,24 +198,91 @@ Index countBorderLoops(const Soup& soup, Sets& fans) {
   return loops;
 }
 
-/// The faces whose corners are three different vertices; the others, and collinear ones, are counted as
-/// degenerate.
-std::vector<Triangle> topologicalFaces(const std::vector<Vec3>& vertices,
-                                       const std::vector<Triangle>& triangles, MeshReport& report) {
+/// Sums count(first, last) over blocks of [0, size), on the context's threads.
+template <typename Count>
+Index sumOverBlocks(const core::Context& context, std::size_t size, const Count& count) {
+  constexpr std::size_t kBlock = 1 << 14;
+  std::vector<Index> sums((size + kBlock - 1) / kBlock, 0);
+  core::parallelBlocks(context, size, kBlock, [&](std::size_t first, std::size_t last) {
+    sums[first / kBlock] = count(static_cast<Index>(first), static_cast<Index>(last));
+  });
+  return std::accumulate(sums.begin(), sums.end(), Index{0});
+}
+
+/// Counts faces that are degenerate; returns whether the corners of all are three different vertices.
+bool countDegenerate(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                     const core::Context& context, MeshReport& report) {
+  std::atomic<bool> all_valid{true};
+  report.degenerate_faces = sumOverBlocks(context, triangles.size(), [&](Index first, Index last) {
+    Index degenerate = 0;
+    for (Index t = first; t < last; ++t) {
+      const Triangle& face = triangles[t];
+      const bool valid = hasValidCorners(face, report.vertices);
+      if (!valid) all_valid = false;
+      degenerate += !valid || core::areCollinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
+    }
+    return degenerate;
+  });
+  return all_valid;
+}
+
+std::vector<Triangle> validFaces(const std::vector<Triangle>& triangles, Index vertices) {
   std::vector<Triangle> faces;
-  faces.reserve(triangles.size());
-  for (const Triangle& face : triangles) {
-    const bool valid = hasValidCorners(face, report.vertices);
-    if (valid) faces.push_back(face);
-    if (!valid || core::areCollinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]))
-      ++report.degenerate_faces;
-  }
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(faces),
+               [&](const Triangle& face) { return hasValidCorners(face, vertices); });
   return faces;
 }
 
-}  // namespace
+/// The topology of faces of which no two run an edge in the same direction, nor three share one; false, and
+/// nothing is counted, of others.
+bool countOriented(const std::vector<Triangle>& faces, const core::Context& context, MeshReport& report) {
+  core::HalfEdgeMesh mesh(report.vertices);
+  if (!mesh.assignTriangles(faces, context)) return false;
+  const auto vertices = static_cast<std::size_t>(report.vertices);
+  report.isolated_vertices = sumOverBlocks(context, vertices, [&](Index first, Index last) {
+    Index isolated = 0;
+    for (Index v = first; v < last; ++v) isolated += !mesh.isUsed(v);
+    return isolated;
+  });
+  report.nonmanifold_vertices = sumOverBlocks(context, vertices, [&](Index first, Index last) {
+    Index pinched = 0;
+    for (Index v = first; v < last; ++v) pinched += mesh.fanCount(v) > 1;
+    return pinched;
+  });
+  report.border_edges = sumOverBlocks(context, 3 * faces.size(), [&](Index first, Index last) {
+    Index border = 0;
+    for (Index h = first; h < last; ++h) border += mesh.isBorder(h);
+    return border;
+  });
+  report.duplicate_faces = sumOverBlocks(context, faces.size(), [&](Index first, Index last) {
+    Index duplicate = 0;
+    for (Index t = first; t < last; ++t) {
+      const Index other = mesh.twin(3 * t);
+      duplicate += other != kNone && other < 3 * t && mesh.opposite(other) == mesh.opposite(3 * t);
+    }
+    return duplicate;
+  });
+  if (report.border_edges > 0) report.border_loops = static_cast<Index>(mesh.borderLoopEdges().size());
+  mesh.components(&report.components);
+  const Index face_count = mesh.triangleCount();
+  const Index edges = (3 * face_count + report.border_edges) / 2;
+  report.euler = report.vertices - report.isolated_vertices - edges + face_count;
+  return true;
+}
 
-MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+void countSoup(const Soup& soup, MeshReport& report) {
+  countEdges(soup, report);
+  Sets fans = joinFans(soup);
+  countVertices(soup, fans, report);
+  report.border_loops = countBorderLoops(soup, fans);
+  report.components = countComponents(soup);
+  report.euler = report.vertices - report.isolated_vertices - soup.edgeCount() + soup.faceCount();
+}
+
+/// All but the intersections. Whether the corners of all faces are three different vertices goes to
+/// `all_valid`, the faces of which they are to `valid`, if that is not all.
+MeshReport reportTopology(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                          const core::Context& context, bool& all_valid, std::vector<Triangle>& valid) {
   constexpr std::size_t most = std::numeric_limits<Index>::max();
   if (vertices.size() > most || triangles.size() > most / 3)
     throw core::Failure(StatusCode::IndexOverflow,
@@ -220,25 +290,30 @@ MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Trian
   MeshReport report;
   report.vertices = static_cast<Index>(vertices.size());
   report.triangles = static_cast<Index>(triangles.size());
-  const Soup soup(report.vertices, topologicalFaces(vertices, triangles, report));
-  countEdges(soup, report);
-  Sets fans = joinFans(soup);
-  countVertices(soup, fans, report);
-  report.border_loops = countBorderLoops(soup, fans);
-  report.components = countComponents(soup);
-  report.euler = report.vertices - report.isolated_vertices - soup.edgeCount() + soup.faceCount();
+  all_valid = countDegenerate(vertices, triangles, context, report);
+  if (!all_valid) valid = validFaces(triangles, report.vertices);
+  const std::vector<Triangle>& counted = all_valid ? triangles : valid;
+  if (!countOriented(counted, context, report)) countSoup(Soup(report.vertices, counted), report);
   if (report.components > 0 && report.isManifold() && report.orientation_conflicts == 0)
     report.genus = (2 * report.components - report.euler - report.border_loops) / 2;
   return report;
 }
 
+}  // namespace
+
+MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
+  bool all_valid = true;
+  std::vector<Triangle> valid;
+  return reportTopology(vertices, triangles, {}, all_valid, valid);
+}
+
 MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                       const core::Context& context) {
-  MeshReport report = reportMesh(vertices, triangles);
-  std::vector<Triangle> faces;
-  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(faces),
-               [&](const Triangle& face) { return hasValidCorners(face, report.vertices); });
-  report.self_intersections = core::SelfIntersections(vertices, faces, context).count();
+  bool all_valid = true;
+  std::vector<Triangle> valid;
+  MeshReport report = reportTopology(vertices, triangles, context, all_valid, valid);
+  const std::vector<Triangle>& counted = all_valid ? triangles : valid;
+  report.self_intersections = core::SelfIntersections(vertices, counted, context).count();
   return report;
 }
 

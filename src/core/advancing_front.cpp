@@ -177,6 +177,18 @@ bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh,
   return agreement < 0;
 }
 
+// Whether the volume under the triangles, seen from the mean of their corners, is negative.
+bool isInsideOut(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+  Vec3 centroid = Vec3::Zero();
+  for (const auto& [a, b, c] : triangles) centroid += points[a] + points[b] + points[c];
+  centroid /= 3.0 * static_cast<double>(triangles.size());
+  double volume = 0;
+  for (const auto& [a, b, c] : triangles) {
+    volume += (points[a] - centroid).dot((points[b] - centroid).cross(points[c] - centroid));
+  }
+  return volume < 0;
+}
+
 // The triangles of an island. Those of the first, most often nearly all, are not kept.
 std::vector<Triangle> takeIsland(Index island, Islands& islands) {
   const Index dropped = island == 0 ? 0 : islands.begin[1];
@@ -191,17 +203,19 @@ std::vector<Triangle> takeIsland(Index island, Islands& islands) {
 
 void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, Islands islands,
                      const TriangulationParameters& parameters, HalfEdgeMesh& mesh, Front& front) {
-  mesh.reserveTriangles(std::max(islands.begin.back(), 2 * mesh.vertexCount()));  // about as many as Euler says
+  mesh.reserveTriangles(
+      std::max(islands.begin.back(), 2 * mesh.vertexCount()));  // about as many as Euler says
   for (Index i = 0; i < islands.count(); ++i) {
     std::vector<Triangle> usable = takeIsland(i, islands);
     const auto isUsable = [&](const Triangle& t) {
       const auto isFreeCorner = [&](Index v) { return isFree(input, normals, mesh, v); };
       return (i == 0 || std::all_of(t.begin(), t.end(), isFreeCorner)) && input.support.supports(t);
     };
-    usable.erase(std::remove_if(usable.begin(), usable.end(), [&](const Triangle& t) { return !isUsable(t); }),
-                 usable.end());
+    usable.erase(
+        std::remove_if(usable.begin(), usable.end(), [&](const Triangle& t) { return !isUsable(t); }),
+        usable.end());
     if (usable.empty() || (i > 0 && static_cast<Index>(usable.size()) < kLeastIsland)) continue;
-    if (isTurnedAgainst(input, mesh, usable)) {
+    if (i == 0 ? isInsideOut(input.points, usable) : isTurnedAgainst(input, mesh, usable)) {
       for (Triangle& t : usable) std::swap(t[1], t[2]);
     }
     for (const Triangle& t : usable) front.load(t);

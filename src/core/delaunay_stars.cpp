@@ -165,8 +165,8 @@ Index slotOf(const StarRings& stars, Index point, Index a, Index b) {
   return kNone;
 }
 
-// A triangle of the stars of all its corners; slot[i] is its place in the rings at corner[i], counted over all
-// rings.
+// A triangle of the stars of all its corners; slot[i] is its place in the rings at corner[i], counted over
+// all rings.
 struct AgreedTriangle {
   Triangle corner;  // lowest first, counter-clockwise about that corner's normal
   Triangle slot;

@@ -29,20 +29,20 @@ struct Quad {
 // Cosine of the smallest angle of a triangle, its largest: from its edges, turned to run around it, and one
 // over their lengths.
 double sharpest(const Vec3& ab, double per_ab, const Vec3& bc, double per_bc, const Vec3& ca, double per_ca) {
-  return -std::min({ab.dot(bc) * (per_ab * per_bc), bc.dot(ca) * (per_bc * per_ca),
-                    ca.dot(ab) * (per_ca * per_ab)});
+  return -std::min(
+      {ab.dot(bc) * (per_ab * per_bc), bc.dot(ca) * (per_bc * per_ca), ca.dot(ab) * (per_ca * per_ab)});
 }
 
 bool isBetter(const Quad& q, FlipRule rule) {
   const Vec3 uv = q.v - q.u, wx = q.x - q.w;
   if (rule == FlipRule::Length) return uv.squaredNorm() > wx.squaredNorm() * (1 + kGain);
   const Vec3 vw = q.w - q.v, wu = q.u - q.w, ux = q.x - q.u, xv = q.v - q.x;
-  const double per_uv = 1 / uv.norm(), per_wx = 1 / wx.norm(), per_vw = 1 / vw.norm(),
-               per_wu = 1 / wu.norm(), per_ux = 1 / ux.norm(), per_xv = 1 / xv.norm();
-  const double before = std::max(sharpest(uv, per_uv, vw, per_vw, wu, per_wu),
-                                 sharpest(-uv, per_uv, ux, per_ux, xv, per_xv));
-  const double after = std::max(sharpest(-wx, per_wx, wu, per_wu, ux, per_ux),
-                                sharpest(wx, per_wx, xv, per_xv, vw, per_vw));
+  const double per_uv = 1 / uv.norm(), per_wx = 1 / wx.norm(), per_vw = 1 / vw.norm(), per_wu = 1 / wu.norm(),
+               per_ux = 1 / ux.norm(), per_xv = 1 / xv.norm();
+  const double before =
+      std::max(sharpest(uv, per_uv, vw, per_vw, wu, per_wu), sharpest(-uv, per_uv, ux, per_ux, xv, per_xv));
+  const double after =
+      std::max(sharpest(-wx, per_wx, wu, per_wu, ux, per_ux), sharpest(wx, per_wx, xv, per_xv, vw, per_vw));
   return after < before - kGain;
 }
 

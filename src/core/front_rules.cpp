@@ -147,7 +147,7 @@ bool FrontRules::overlaps(Index u, Index v, Index apex) const {
   const BorderCrossings crossings(mesh_, p, triangle);
   const std::vector<Index>& near = obstaclesNear(triangle.corner);
   return std::any_of(near.begin(), near.end(), [&](Index q) {
-    return containsPoint(mesh_, p, triangle, q) || (mesh_.isUsed(q) && crossings.at(q));
+    return containsPoint(mesh_, p, triangle, q) || (mesh_.isUsed(q) && crossings.at(q, near));
   });
 }
 

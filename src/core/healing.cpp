@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "handle_loops.h"
@@ -50,7 +51,7 @@ class Healer {
 
  private:
   void fillSupportedLoops() {
-    if (!input_.support.testsAnything()) return;
+    if (!input_.support.testsAnything() || surgery_.borderEdges() == 0) return;
     const std::vector<Index> room = trianglesAround();
     for (const std::vector<Index>& loop : mesh_.borderLoopEdges()) {
       if (static_cast<int>(loop.size()) > parameters_.fill_supported_edges) continue;
@@ -71,7 +72,7 @@ class Healer {
       const auto closes = [](const LocalTopology& before, const LocalTopology& after) {
         return after.loops < before.loops;
       };
-      if (repair_.attempt(vertices, fill, closes))
+      if (attempt(vertices, fill, closes))
         ++statistics_.filled_loops;
       else if (!is_hole)
         noteTrouble(vertices);
@@ -140,6 +141,7 @@ class Healer {
     }
     while (!surgery_.pairs().empty()) {
       repair_.open({worseOf(*surgery_.pairs().begin())});
+      handles_.reset();
       ++statistics_.opened_places;
     }
     return statistics_.repaired_places + statistics_.opened_places > 0;
@@ -172,18 +174,28 @@ class Healer {
       return after.pairs < before.pairs;
     };
     for (int ring = 0; ring <= kMostRings; ++ring, place = grown(mesh_, place)) {
-      if (repair_.attempt(
+      if (attempt(
               verticesOf(mesh_, place), [&] { return repair_.renew(place); }, meetsLess))
         return true;
     }
     return false;
   }
 
-  // The genus of all components, their loops capped.
-  Index handleCount() const {
+  // The genus of all components, their loops capped. Counted again only after changes.
+  Index handleCount() {
+    if (handles_) return *handles_;
     Index components = 0;
     mesh_.components(&components);
-    return components - (surgery_.euler() + static_cast<Index>(mesh_.borderLoopEdges().size())) / 2;
+    const auto loops = surgery_.borderEdges() > 0 ? static_cast<Index>(mesh_.borderLoopEdges().size()) : 0;
+    handles_ = components - (surgery_.euler() + loops) / 2;
+    return *handles_;
+  }
+
+  bool attempt(const std::vector<Index>& vertices, const LocalRepair::Change& change,
+               const LocalRepair::Helps& helps) {
+    if (!repair_.attempt(vertices, change, helps)) return false;
+    handles_.reset();
+    return true;
   }
 
   bool cutHandles() {
@@ -210,7 +222,7 @@ class Healer {
     const auto cuts = [&](const LocalTopology& before, const LocalTopology& after) {
       return after.closedness() > before.closedness() && meanLean(surgery_.addedSince(mark)) < lean;
     };
-    return repair_.attempt(
+    return attempt(
         verticesOf(mesh_, strip), [&] { return repair_.renew(strip); }, cuts);
   }
 
@@ -250,6 +262,7 @@ class Healer {
   LocalRepair repair_;
   HealingStatistics statistics_;
   std::vector<Index> troubled_;
+  std::optional<Index> handles_;  // as far as known
 };
 
 }  // namespace

@@ -115,9 +115,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
                result.features);
     });
   }
-  stages.run("report", 1.0, [&] {
-    result.reports = reportLevels(result.mesh, context);
-  });
+  stages.run("report", 1.0, [&] { result.reports = reportLevels(result.mesh, context); });
   result.points = std::move(cloud->points);
   return result;
 }

@@ -137,11 +137,14 @@ BorderCrossings::BorderCrossings(const HalfEdgeMesh& mesh, const std::vector<Vec
   for (std::size_t i = 0; i < 3; ++i) corner_[i] = plane_.project(points[triangle.corner[i]]);
 }
 
-bool BorderCrossings::at(Index point) const {
+bool BorderCrossings::at(Index point, const std::vector<Index>& others) const {
+  const auto isLeft = [&](Index h) {
+    return std::binary_search(others.begin(), others.end(), mesh_.origin(h));
+  };
   for (Index h = mesh_.firstOutgoing(point); h != kNone; h = mesh_.nextOutgoing(h)) {
     if (mesh_.isBorder(h) && isInTheWay(h)) return true;
     const Index incoming = HalfEdgeMesh::previous(h);
-    if (mesh_.isBorder(incoming) && isInTheWay(incoming)) return true;
+    if (mesh_.isBorder(incoming) && !isLeft(incoming) && isInTheWay(incoming)) return true;
   }
   return false;
 }

@@ -46,8 +46,9 @@ class BorderCrossings {
  public:
   BorderCrossings(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const NewTriangle& triangle);
 
-  /// True if a border edge at `point` does.
-  bool at(Index point) const;
+  /// True if a border edge at `point` does; those that come from a point in `others` (ascending) are left to
+  /// the call for that one.
+  bool at(Index point, const std::vector<Index>& others = {}) const;
 
  private:
   bool isInTheWay(Index half_edge) const;

@@ -31,15 +31,21 @@ Index dropFans(HalfEdgeMesh& mesh, Index vertex, std::size_t limit, std::set<Ind
   return dropped;
 }
 
-Index dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
+struct Dropped {
+  Index triangles = 0;
+  std::set<Index> looked_at;  // vertices that are or were pinched, or lost triangles
+};
+
+Dropped dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
+  Dropped dropped;
   std::set<Index> pinched;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     if (mesh.isUsed(v) && mesh.fanCount(v) > 1) pinched.insert(v);
   }
-  Index dropped = 0;
   while (!pinched.empty()) {
     std::set<Index> touched;
-    for (const Index v : pinched) dropped += dropFans(mesh, v, limit, touched);
+    for (const Index v : pinched) dropped.triangles += dropFans(mesh, v, limit, touched);
+    dropped.looked_at.insert(pinched.begin(), pinched.end());
     pinched.swap(touched);
   }
   return dropped;
@@ -50,10 +56,10 @@ Index dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
 PinchCount resolvePinches(HalfEdgeMesh& mesh, Index largest_dropped, std::vector<Index>* duplicate_of) {
   PinchCount count;
   const auto limit = static_cast<std::size_t>(largest_dropped);
-  count.dropped_triangles = dropAll(mesh, duplicate_of ? limit : static_cast<std::size_t>(mesh.slotCount()));
+  const Dropped dropped = dropAll(mesh, duplicate_of ? limit : static_cast<std::size_t>(mesh.slotCount()));
+  count.dropped_triangles = dropped.triangles;
   if (!duplicate_of) return count;
-  const Index vertices = mesh.vertexCount();
-  for (Index v = 0; v < vertices; ++v) {
+  for (const Index v : dropped.looked_at) {
     if (!mesh.isUsed(v) || mesh.fanCount(v) < 2) continue;
     for (std::size_t i = mesh.splitFans(v).size(); i > 0; --i) {
       duplicate_of->push_back(v);

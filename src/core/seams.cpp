@@ -57,13 +57,14 @@ Rim rimAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& x, const std::vecto
 
 std::vector<Rim> rimsOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
                         const std::vector<Vec3>& normal) {
-  const std::vector<Index> component = mesh.components();
   std::vector<Rim> rims;
   for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
-    if (!mesh.alive(HalfEdgeMesh::triangleOf(h)) || !mesh.isBorder(h)) continue;
-    rims.push_back(rimAt(mesh, points, normal, h));
-    rims.back().component = component[rims.back().triangle];
+    if (mesh.alive(HalfEdgeMesh::triangleOf(h)) && mesh.isBorder(h))
+      rims.push_back(rimAt(mesh, points, normal, h));
   }
+  if (rims.empty()) return rims;
+  const std::vector<Index> component = mesh.components();
+  for (Rim& rim : rims) rim.component = component[rim.triangle];
   return rims;
 }
 
