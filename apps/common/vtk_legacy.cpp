@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -14,6 +16,8 @@ namespace mlsmesh::apps {
 namespace {
 
 using Words = std::vector<std::string>;
+
+constexpr const char* kBlanks = " \t\r\n";
 
 /// Walks over the lines and blocks of numbers of a legacy file.
 class LegacyWalk {
@@ -75,6 +79,21 @@ class LegacyWalk {
     }
   }
 
+  /// Steps over a list of cells of the older layout, each a count and as many corners, none beyond the end.
+  void checkCells(const Words& line) {
+    if (has_offsets_) return skipCells(line);
+    const std::size_t cells = count(line, 1), numbers = count(line, 2);
+    std::size_t used = 0;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const std::int64_t corners = used < numbers ? nextInteger() : -1;
+      if (corners < 0 || static_cast<std::size_t>(corners) >= numbers - used)
+        throw damaged("the cells of '" + line[0] + "' do not fit its size");
+      skipNumbers(static_cast<std::size_t>(corners), "int");
+      used += 1 + static_cast<std::size_t>(corners);
+    }
+    if (used != numbers) throw damaged("the cells of '" + line[0] + "' do not fill its size");
+  }
+
   void skipFields(const Words& line) {
     for (std::size_t i = 0; i < count(line, 2); ++i) {
       const Words array = nextLine();
@@ -99,11 +118,26 @@ class LegacyWalk {
     position_ += values * bytes_each;
   }
 
+  /// One number of a list of cells: big-endian, or a word.
+  std::int64_t nextInteger() {
+    const std::size_t start = position_;
+    skipNumbers(1, "int");
+    if (binary_) {
+      std::uint32_t value = 0;
+      for (std::size_t i = start; i < position_; ++i)
+        value = value << 8 | static_cast<unsigned char>(content_[i]);
+      return static_cast<std::int32_t>(value);
+    }
+    const std::size_t first = content_.find_first_not_of(kBlanks, start);
+    std::int64_t value = -1;
+    std::from_chars(content_.data() + first, content_.data() + position_, value);
+    return value;
+  }
+
   void skipWord() {
-    const char* const blanks = " \t\r\n";
-    const std::size_t first = content_.find_first_not_of(blanks, position_);
+    const std::size_t first = content_.find_first_not_of(kBlanks, position_);
     if (first == std::string::npos) throw cutOff();
-    position_ = std::min(content_.find_first_of(blanks, first), content_.size());
+    position_ = std::min(content_.find_first_of(kBlanks, first), content_.size());
   }
 
   AppError cutOff() const {
@@ -158,6 +192,20 @@ std::string pointsOfLegacyVtk(const std::string& content, const std::string& fil
   const std::string heading = "# vtk DataFile Version 4.2\npoints\n";
   const std::string storage = walk.isBinary() ? "BINARY\n" : "ASCII\n";
   return heading + storage + "DATASET POLYDATA\n" + points + content.substr(point_data);
+}
+
+void checkPolygonsOfLegacyVtk(const std::string& content, const std::string& file) {
+  LegacyWalk walk(content, file);
+  bool is_polygons = false;
+  while (!walk.atEnd()) {
+    const Words line = walk.nextLine();
+    if (line[0] == "DATASET") is_polygons = line.size() == 2 && line[1] == "POLYDATA";
+    if (line[0] == "POINTS" && line.size() == 3) walk.skipNumbers(3 * walk.count(line, 1), line[2]);
+    if (line[0] == "FIELD") walk.skipFields(line);
+    if (isCellList(line[0])) walk.checkCells(line);
+    if (line[0] == "CELL_DATA" || line[0] == "POINT_DATA") break;
+  }
+  if (!is_polygons) throw fileError(file, "its data set is not POLYDATA; save the surface as polygons");
 }
 
 }  // namespace mlsmesh::apps

@@ -11,4 +11,8 @@ namespace mlsmesh::apps {
 /// over and lengths are checked. Throws AppError if it is another type, holds no points or is cut off.
 std::string pointsOfLegacyVtk(const std::string& content, const std::string& file);
 
+/// Throws AppError unless the file is a legacy VTK file of polygons whose lists of cells are whole: as long
+/// as announced, and every cell within its list. That their corners are points is not asked.
+void checkPolygonsOfLegacyVtk(const std::string& content, const std::string& file);
+
 }  // namespace mlsmesh::apps
