@@ -19,8 +19,9 @@ constexpr double kDegrees = 180 / 3.14159265358979323846;
 constexpr double kFolded = 30, kFlipped = 5;
 constexpr std::size_t kBlock = 16384;
 
+/// 0 if one of them has no length.
 double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegrees;
+  return std::atan2(a.cross(b).norm(), a.dot(b) + 0.0) * kDegrees;  // -0 would stand for 180
 }
 
 /// With r = area / half perimeter and R = product of the sides / (4 area).

@@ -14,7 +14,7 @@ struct SurfaceSamples {
 };
 
 /// `count` points, uniform by area: the area is cut into as many equal parts, in the order of the triangles,
-/// and one point is drawn from each. The same for the same input. None if the area is 0. Corners must be
+/// and each has one point. The same for the same input. None if the area is 0. Corners must be
 /// vertices, and finite.
 SurfaceSamples sampleSurface(const std::vector<core::Vec3>& vertices,
                              const std::vector<core::Triangle>& triangles, std::size_t count);
