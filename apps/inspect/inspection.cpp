@@ -63,13 +63,13 @@ Inspection inspect(const InspectOptions& options) {
   context.threads = options.threads;
   Inspection result;
   result.mesh = readWelded(options.mesh, options.weld);
-  const auto& [vertices, triangles] = viewOf(result.mesh);
-  if (triangles.empty())
+  const TriangleFile& mesh = result.mesh;
+  if (mesh.triangles.empty())
     printWarning(kInspectProgram, options.mesh.string() + ": holds no faces; is it a point cloud?");
-  measuring(options.mesh, [&, &v = vertices, &t = triangles] {
-    result.topology = meshTopology(v, t);
-    result.self_intersections = countSelfIntersections(v, t, context);
-    result.shape = meshShape(v, t, context);
+  measuring(options.mesh, [&] {
+    result.topology = meshTopology(mesh.vertices, mesh.triangles);
+    result.self_intersections = countSelfIntersections(mesh.vertices, mesh.triangles, context);
+    result.shape = meshShape(mesh.vertices, mesh.triangles, context);
   });
   if (!options.cloud.empty()) compareWithCloud(options, context, result);
   if (!options.truth.empty()) compareWithTruth(options, context, result);

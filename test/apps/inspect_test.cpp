@@ -367,6 +367,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Misuse{{"MESH", "--threads", "-1"}, "--threads"},
                     Misuse{{"MESH", "--requires", "closed=1"}, "did you mean --require"}));
 
+TEST(Inspect, EveryFigureIsExplained) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.write("mesh.obj", objText(square(0)));
+  const std::string report = folder.file("report.json");
+  ASSERT_EQ(runInspect({mesh, "--cloud", mesh, "--truth", mesh, "--quiet", "--json", report}).exit_code, 0);
+  const std::string page = readFile(MLSMESH_SOURCE_DIR "/docs/inspect.md");
+  const Json json = Json::parse(readFile(report));
+  for (const auto& [group, figures] : json.items()) {
+    EXPECT_NE(page.find(group), std::string::npos) << group;
+    if (!figures.is_object()) continue;
+    for (const auto& [name, value] : figures.items()) {
+      const bool is_tolerance =
+          name.find("_0_25") != std::string::npos || name.find("_0_1") != std::string::npos;
+      const bool is_multiple =
+          name.find("_spacings") != std::string::npos || name.find("_diagonals") != std::string::npos;
+      if (is_tolerance || is_multiple) continue;
+      const bool is_explained = page.find("`" + name + "`") != std::string::npos ||
+                                page.find("`" + group + "." + name + "`") != std::string::npos;
+      EXPECT_TRUE(is_explained) << group << "." << name;
+    }
+  }
+}
+
 TEST(Inspect, HelpNamesEveryFigure) {
   const Outcome outcome = runInspect({"--help"});
   EXPECT_EQ(outcome.exit_code, 0);
