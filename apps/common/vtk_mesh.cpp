@@ -101,8 +101,7 @@ PolygonSoup readStlMesh(const fs::path& file) {
 }
 
 PolygonSoup readVtkMesh(const fs::path& file) {
-  const std::string content = readBytes(file);
-  checkPolygonsOfLegacyVtk(content, file.string());
+  const std::string content = polygonsOfLegacyVtk(readBytes(file), file.string());
   if (content.size() > static_cast<std::size_t>(INT_MAX)) {
     throw fileError(file.string(),
                     "is larger than the 2 GB that VTK reads in this format; write .ply instead");

@@ -11,7 +11,9 @@
 #include <pcl/conversions.h>
 #include <pcl/point_types.h>
 
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -166,6 +168,16 @@ TEST(MeshReader, FindsDamageOfLegacyVtk) {
                            kPlyVertices)
           .find("POLYDATA"),
       std::string::npos);
+  EXPECT_NE(errorOf("a.vtk", head + "POLYGONS 1 4\n3 0 1 x\n").find("'x' is not a number"),
+            std::string::npos);
+  EXPECT_NE(errorOf("a.vtk", head + "POLYGONS 1 4\n3 0 1 1.5\n").find("'1.5'"), std::string::npos);
+  EXPECT_NE(errorOf("a.vtk", std::string(head).replace(head.find("0.1"), 3, "nan")).find("'nan'"),
+            std::string::npos);
+  EXPECT_EQ(
+      readText("a.vtk", std::string(head).replace(head.find("3.0"), 3, "2.\x01") + "POLYGONS 1 4\n3 0 1 2\n")
+          .triangles.size(),
+      1U)
+      << "VTK crashes over such a version";
   EXPECT_EQ(readText("a.vtk", head + "POLYGONS 1 4\n3 0 1 7\n").dropped_faces, 1);
   const std::string newer = std::string(head).replace(head.find("3.0"), 3, "5.1");
   EXPECT_EQ(
@@ -173,6 +185,31 @@ TEST(MeshReader, FindsDamageOfLegacyVtk) {
           .triangles.size(),
       1U);
   errorOf("a.vtk", newer + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 900\nCONNECTIVITY vtktypeint64\n0 1 2\n");
+}
+
+template <class Number>
+std::string bigEndian(const std::vector<Number>& numbers) {
+  std::string bytes;
+  for (const Number number : numbers) {
+    char raw[sizeof number];
+    std::memcpy(raw, &number, sizeof number);
+    bytes.append(std::make_reverse_iterator(raw + sizeof number), std::make_reverse_iterator(raw));
+  }
+  return bytes;
+}
+
+TEST(MeshReader, ReadsTheNewerLayoutOfLegacyVtk) {
+  const std::string head = "# vtk DataFile Version 5.1\na\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n" +
+                           bigEndian<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + "\n";
+  const std::string cells = "POLYGONS 3 6\nOFFSETS vtktypeint64\n" + bigEndian<std::int64_t>({0, 3, 6}) +
+                            "\nCONNECTIVITY vtktypeint64\n" + bigEndian<std::int64_t>({0, 1, 2, 0, 2, 3}) +
+                            "\n";
+  const std::vector<Triangle> square = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(readText("a.vtk", head + cells).triangles, square);
+  const std::string metadata = "METADATA\nINFORMATION 0\n\n";
+  const std::string more = "\nPOINT_DATA 4\nSCALARS broken\n";
+  EXPECT_EQ(readText("a.vtk", head + metadata + cells + more).triangles, square) << "fields are left alone";
+  EXPECT_NE(errorOf("a.vtk", head + cells.substr(0, cells.size() - 9)).find("cut off"), std::string::npos);
 }
 
 }  // namespace
