@@ -38,8 +38,10 @@ Nearest nearestTriangles(const std::vector<Vec3>& points, const TriangleTree& tr
   nearest.distance.resize(points.size());
   nearest.triangle.resize(points.size());
   parallelBlocks(context, points.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    Index hint = core::kNone;  // points of a file are often beside one another
     for (std::size_t i = first; i < last; ++i) {
-      const TriangleTree::Nearest found = tree.nearest(points[i]);
+      const TriangleTree::Nearest found = tree.nearest(points[i], hint);
+      hint = found.triangle;
       nearest.distance[i] = std::sqrt(found.squared_distance);
       nearest.triangle[i] = found.triangle;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exact_predicates.h"
 #include "edge_table.h"
 #include "mlsmesh/core/parallel.h"
 
@@ -45,18 +46,18 @@ struct TriangleFigures {
   }
 };
 
-/// The angle between the two faces of an edge; kUnknown where one of them has no height over it.
+/// The angle between the two faces of an edge; kUnknown where one of them is degenerate.
 double dihedralAt(const std::vector<Vec3>& vertices, const EdgeTable& edges, Index edge) {
   const Index h = edges.halfEdge(edge, 0), g = edges.halfEdge(edge, 1);
-  const Vec3& from = vertices[edges.origin(h)];
-  const Vec3 along = (vertices[edges.target(h)] - from).normalized();
-  const auto heightOf = [&](Index half_edge) -> Vec3 {
-    const Vec3 side = vertices[edges.opposite(half_edge)] - from;
+  const Vec3 &from = vertices[edges.origin(h)], &to = vertices[edges.target(h)];
+  const Vec3 &first = vertices[edges.opposite(h)], &second = vertices[edges.opposite(g)];
+  if (core::areCollinear(from, to, first) || core::areCollinear(from, to, second)) return kUnknown;
+  const Vec3 along = (to - from).normalized();
+  const auto heightOf = [&](const Vec3& apex) -> Vec3 {
+    const Vec3 side = apex - from;
     return side - along * along.dot(side);
   };
-  const Vec3 first = heightOf(h), second = heightOf(g);
-  if (first.isZero(0) || second.isZero(0)) return kUnknown;
-  return angleBetween(first, second);
+  return angleBetween(heightOf(first), heightOf(second));
 }
 
 void measureEdges(const std::vector<Vec3>& vertices, const EdgeTable& edges, const core::Context& context,
@@ -68,7 +69,7 @@ void measureEdges(const std::vector<Vec3>& vertices, const EdgeTable& edges, con
       const auto edge = static_cast<Index>(i);
       const Index h = edges.halfEdge(edge, 0);
       length[i] = (vertices[edges.target(h)] - vertices[edges.origin(h)]).norm();
-      if (edges.facesAt(edge) == 2 && length[i] > 0) dihedral[i] = dihedralAt(vertices, edges, edge);
+      if (edges.facesAt(edge) == 2) dihedral[i] = dihedralAt(vertices, edges, edge);
     }
   });
   for (const double angle : dihedral) {

@@ -15,7 +15,8 @@ struct MeshShape {
   Statistics smallest_angle;  ///< of each triangle
   Statistics largest_angle;   ///< of each triangle
   Statistics edge_length;     ///< of each edge
-  /// Smallest angle between the two triangles of an edge, 180 where they are flat; kUnknown if there is none.
+  /// Smallest angle between the two triangles of an edge, neither of them degenerate; 180 where they are
+  /// flat, kUnknown if there is no such edge.
   double smallest_dihedral = kUnknown;
   core::Index folded_edges = 0;   ///< with an angle between their two triangles below 30
   core::Index flipped_edges = 0;  ///< below 5

@@ -9,6 +9,8 @@
 namespace mlsmesh::core {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 double squaredDistanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a, from = point - a;
   const double length = along.squaredNorm();
@@ -38,7 +40,11 @@ struct TriangleTree::Search {
 
   explicit Search(const Vec3& query) : point(query) {}
 
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const { return box.squaredExteriorDistance(point); }
+  /// Infinite, so that it is not looked into, where nothing nearer than the best can be.
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
+    const double distance = box.squaredExteriorDistance(point);
+    return distance < best.squared_distance ? distance : kInfinity;
+  }
   double minimumOnObject(const Item& item) {
     const double distance = squaredDistance(point, item.a, item.b, item.c);
     if (distance < best.squared_distance) best = {item.triangle, distance};
@@ -46,11 +52,11 @@ struct TriangleTree::Search {
   }
 
   const Vec3& point;
-  Nearest best{kNone, std::numeric_limits<double>::infinity()};
+  Nearest best{kNone, kInfinity};
 };
 
 TriangleTree::TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
-    : empty_(triangles.empty()) {
+    : vertices_(vertices), triangles_(triangles) {
   std::vector<Item> items;
   std::vector<Eigen::AlignedBox3d> boxes;
   items.reserve(triangles.size());
@@ -63,8 +69,12 @@ TriangleTree::TriangleTree(const std::vector<Vec3>& vertices, const std::vector<
   boxes_.init(items.begin(), items.end(), boxes.begin(), boxes.end());
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vec3& point) const {
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& point, Index hint) const {
   Search search(point);
+  if (hint != kNone) {
+    const auto& [a, b, c] = triangles_[hint];
+    search.best = {hint, squaredDistance(point, vertices_[a], vertices_[b], vertices_[c])};
+  }
   Eigen::BVMinimize(boxes_, search);
   return search.best;
 }

@@ -70,6 +70,13 @@ TEST(MeshShape, TellsFoldsFromFlatEdges) {
   EXPECT_EQ(hinge(4).flipped_edges, 1);
 }
 
+TEST(MeshShape, LeavesDegenerateTrianglesOutOfAnglesAcrossEdges) {
+  const MeshShape shape =
+      shapeOf({{0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}, {0.2, 0.7, 0.1}, {0.7, 0.7, 0.7}}, {{0, 1, 2}, {1, 0, 3}});
+  EXPECT_TRUE(std::isnan(shape.smallest_dihedral));
+  EXPECT_EQ(shape.folded_edges, 0);
+}
+
 TEST(Statistics, TakePercentilesByRank) {
   std::vector<double> values;
   for (int i = 100; i-- > 0;) values.push_back(i);

@@ -47,9 +47,13 @@ TEST(TriangleTree, FindsWhatTryingAllFinds) {
       EXPECT_EQ(found.squared_distance, best) << count;
       const auto [a, b, c] = triangles.at(static_cast<std::size_t>(found.triangle));
       EXPECT_EQ(squaredDistance(query, vertices[a], vertices[b], vertices[c]), best);
+      const auto hint = static_cast<Index>(random() % count);
+      EXPECT_EQ(tree.nearest(query, hint).squared_distance, best) << count << ", hint " << hint;
     }
   }
-  EXPECT_TRUE(TriangleTree({}, {}).empty());
+  const std::vector<Vec3> nothing;
+  const std::vector<Triangle> none;
+  EXPECT_TRUE(TriangleTree(nothing, none).empty());
 }
 
 }  // namespace
