@@ -298,6 +298,22 @@ std::size_t checkPlyHeader(const fs::path& file) {
   return static_cast<std::size_t>(vertex->count);
 }
 
+void checkStlLength(const fs::path& file) {
+  constexpr std::size_t kHead = 84, kTriangle = 50;  // bytes; the head ends with the number of triangles
+  const std::string head = readBytes(file, kHead);
+  std::uintmax_t triangles = 0;
+  for (std::size_t i = head.size() == kHead ? kHead : 0; i > kHead - 4 && i <= kHead; --i)
+    triangles = triangles << 8 | static_cast<unsigned char>(head[i - 1]);
+  if (head.size() == kHead && fs::file_size(file) == kHead + triangles * kTriangle) return;
+  const std::string text = words(head).empty() ? std::string() : words(head)[0];
+  if (text != "solid") {
+    if (head.size() < kHead) throw wrongType(file, "STL");
+    return checkSize(file, fs::file_size(file) - kHead, "triangles", triangles, kTriangle);
+  }
+  if (readBytes(file).find("endsolid") == std::string::npos)
+    throw fileError(file.string(), "is cut off: text STL without 'endsolid'; copy the file again");
+}
+
 void checkVtpHeader(const fs::path& file) {
   if (readBytes(file, 4096).find("<VTKFile") == std::string::npos) throw wrongType(file, "VTK XML");
 }

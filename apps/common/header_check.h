@@ -13,6 +13,8 @@ void checkPcdHeader(const std::filesystem::path& file);
 /// Also refuses the vertex properties that pcl::PLYReader misplaces: lists, and colours not in the order red,
 /// green, blue (, alpha). Returns the number of vertices announced.
 std::size_t checkPlyHeader(const std::filesystem::path& file);
+/// Binary STL must be as long as its count of triangles says; text is only asked to begin and end as such.
+void checkStlLength(const std::filesystem::path& file);
 /// VTK's XML format (.vtp).
 void checkVtpHeader(const std::filesystem::path& file);
 

@@ -5,15 +5,13 @@
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
 #include "common/header_check.h"
+#include "common/vtk_errors.h"
 #include "common/vtk_legacy.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
@@ -33,31 +31,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Type = pcl::PCLPointField::PointFieldTypes;
-
-/// Counts VTK's errors and warnings (data that are cut off are one) instead of printing them.
-class ErrorCounter : public vtkOutputWindow {
- public:
-  static ErrorCounter* New();
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char*) override { ++errors_; }
-  void DisplayWarningText(const char*) override { ++errors_; }
-  void DisplayGenericWarningText(const char*) override { ++errors_; }
-  void DisplayDebugText(const char*) override {}
-  int errors() const { return errors_; }
-
- private:
-  int errors_ = 0;
-};
-
-vtkStandardNewMacro(ErrorCounter);
-
-/// Puts an ErrorCounter in place of VTK's window, and silences VTK's log.
-vtkSmartPointer<ErrorCounter> countErrors() {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  auto counter = vtkSmartPointer<ErrorCounter>::New();
-  vtkOutputWindow::SetInstance(counter);
-  return counter;
-}
 
 std::uint8_t typeOf(int vtk_type) {
   switch (vtk_type) {
@@ -147,7 +120,7 @@ void makeCloudOf(vtkPolyData& set, pcl::PCLPointCloud2& cloud) {
 /// Runs a reader whose input is set.
 template <class Reader>
 void readWithVtk(Reader& reader, const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  const auto counter = countErrors();
+  const auto counter = countVtkErrors();
   reader.Update();
   if (counter->errors() > 0 || reader.GetErrorCode() != vtkErrorCode::NoError) {
     throw fileError(file.string(), "is not a whole VTK file (cut off or damaged); copy or write it again");
@@ -227,7 +200,7 @@ vtkSmartPointer<vtkPolyData> makePolyData(const pcl::PolygonMesh& mesh, bool wit
 
 template <class Writer>
 bool writeWithVtk(Writer& writer, const fs::path& file, const vtkSmartPointer<vtkPolyData>& poly_data) {
-  const auto counter = countErrors();
+  const auto counter = countVtkErrors();
   writer.SetFileName(file.c_str());
   writer.SetInputData(poly_data);
   const bool written = writer.Write() != 0;

@@ -11,4 +11,10 @@ namespace mlsmesh::apps {
 /// over and lengths are checked. Throws AppError if it is another type, holds no points or is cut off.
 std::string pointsOfLegacyVtk(const std::string& content, const std::string& file);
 
+/// The points, polygons and strips of triangles of a legacy VTK file of polygons, as the text of a file
+/// without the rest. Every list is whole: as long as announced, of numbers, and in the older layout of cells
+/// within their list. That where cells begin (in the newer layout) and corners make sense is not asked.
+/// Throws AppError.
+std::string polygonsOfLegacyVtk(const std::string& content, const std::string& file);
+
 }  // namespace mlsmesh::apps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/polygon_soup.h"
+
+#include <filesystem>
+
+namespace mlsmesh::apps {
+
+// Polygons, and strips of triangles taken apart, through VTK's own readers. Each throws AppError.
+
+PolygonSoup readStlMesh(const std::filesystem::path& file);
+/// A legacy file whose data set is polygons.
+PolygonSoup readVtkMesh(const std::filesystem::path& file);
+PolygonSoup readVtpMesh(const std::filesystem::path& file);
+
+}  // namespace mlsmesh::apps
