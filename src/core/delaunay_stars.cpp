@@ -165,11 +165,11 @@ Index slotOf(const StarRings& stars, Index point, Index a, Index b) {
   return kNone;
 }
 
-// A triangle of the stars of all its corners; slot[i] is its place in the rings at corner[i], counted over
-// all rings.
+// A triangle of the stars of all its corners: its lowest corner, and its places in their rings, counted over
+// all rings; that of the lowest corner first, then those of the two that follow there.
 struct AgreedTriangle {
-  Triangle corner;  // lowest first, counter-clockwise about that corner's normal
-  Triangle slot;
+  Index lowest;
+  std::array<Index, 3> slot;
 };
 
 // Every slot of every ring gets the agreed triangle that it spans, or kNone.
@@ -180,41 +180,52 @@ struct AgreedTriangles {
   Index count() const { return static_cast<Index>(triangles.size()); }
 };
 
-// Appends the triangles of point p that p is the lowest corner of and that both others agree on.
-void appendAgreed(const StarRings& stars, Index p, std::vector<AgreedTriangle>& agreed) {
-  if (stars.size(p) < 2) return;
-  const Index* ring = stars.data(p);
-  for (Index slot = 0; slot < stars.size(p); ++slot) {
-    const Index a = ring[slot];
-    const Index b = ring[nextInRing(stars, p, slot)];
-    if (a <= p || b <= p || a == b) continue;  // kNone is below every point
-    const Index at_a = slotOf(stars, a, b, p);
-    const Index at_b = at_a == kNone ? kNone : slotOf(stars, b, p, a);
-    if (at_b == kNone) continue;
-    agreed.push_back({{p, a, b}, {stars.begin[p] + slot, stars.begin[a] + at_a, stars.begin[b] + at_b}});
-  }
+// Where the two others have the triangle that a slot spans with its point, which is the lowest of the three:
+// slots counted in their own rings, which are short.
+struct OtherSlots {
+  static constexpr std::uint8_t kNowhere = 255;
+  static_assert(kMaxCorners < kNowhere);
+
+  std::uint8_t at_first = kNowhere;  // unless all agree
+  std::uint8_t at_second = kNowhere;
+};
+
+OtherSlots otherSlots(const StarRings& stars, Index p, Index slot) {
+  const Index a = stars.data(p)[slot];
+  const Index b = stars.data(p)[nextInRing(stars, p, slot)];
+  if (a <= p || b <= p || a == b) return {};  // kNone is below every point
+  const Index at_a = slotOf(stars, a, b, p);
+  const Index at_b = at_a == kNone ? kNone : slotOf(stars, b, p, a);
+  if (at_b == kNone) return {};
+  return {static_cast<std::uint8_t>(at_a), static_cast<std::uint8_t>(at_b)};
 }
 
 AgreedTriangles findAgreed(const StarRings& stars, const Context& context) {
-  constexpr std::size_t kBlock = 4096;
-  const std::size_t count = static_cast<std::size_t>(stars.count());
-  std::vector<std::vector<AgreedTriangle>> found((count + kBlock - 1) / kBlock);
-  parallelBlocks(context, count, kBlock, [&](std::size_t first, std::size_t last) {
-    std::vector<AgreedTriangle>& mine = found[first / kBlock];
-    mine.reserve(2 * (last - first));
-    for (std::size_t p = first; p < last; ++p) appendAgreed(stars, static_cast<Index>(p), mine);
-  });
+  std::vector<OtherSlots> others(stars.items.size());
+  parallelBlocks(context, static_cast<std::size_t>(stars.count()), 4096,
+                 [&](std::size_t first, std::size_t last) {
+                   for (Index p = static_cast<Index>(first); p < static_cast<Index>(last); ++p) {
+                     for (Index slot = 0; slot < stars.size(p); ++slot)
+                       others[stars.begin[p] + slot] = otherSlots(stars, p, slot);
+                   }
+                 });
   AgreedTriangles agreed;
-  std::size_t total = 0;
-  for (const auto& block : found) total += block.size();
-  agreed.triangles.reserve(total);
+  agreed.triangles.reserve(
+      static_cast<std::size_t>(std::count_if(others.begin(), others.end(), [](const OtherSlots& slots) {
+        return slots.at_first != OtherSlots::kNowhere;
+      })));
   agreed.of_slot.assign(stars.items.size(), kNone);
-  for (auto& block : found) {
-    for (const AgreedTriangle& triangle : block) {
-      for (const Index slot : triangle.slot) agreed.of_slot[slot] = agreed.count();
+  for (Index p = 0; p < stars.count(); ++p) {
+    for (Index slot = 0; slot < stars.size(p); ++slot) {
+      const OtherSlots& other = others[stars.begin[p] + slot];
+      if (other.at_first == OtherSlots::kNowhere) continue;
+      const Index a = stars.data(p)[slot];
+      const Index b = stars.data(p)[nextInRing(stars, p, slot)];
+      const AgreedTriangle triangle{
+          p, {stars.begin[p] + slot, stars.begin[a] + other.at_first, stars.begin[b] + other.at_second}};
+      for (const Index place : triangle.slot) agreed.of_slot[place] = agreed.count();
       agreed.triangles.push_back(triangle);
     }
-    std::vector<AgreedTriangle>().swap(block);
   }
   return agreed;
 }
@@ -246,15 +257,22 @@ class IslandWalk {
         const Index other = across(open_[next], corners[i], corners[(i + 1) % 3]);
         if (other == kNone || island_[other] != kNone) continue;
         island_[other] = island;
-        turned_[other] = runs(agreed_.triangles[other].corner, corners[i], corners[(i + 1) % 3]);
+        turned_[other] = runs(cornersOf(other), corners[i], corners[(i + 1) % 3]);
         open_.push_back(other);
       }
     }
     size_.push_back(static_cast<Index>(open_.size()));
   }
 
+  // The lowest first, counter-clockwise about its normal.
+  Triangle cornersOf(Index triangle) const {
+    const auto& [lowest, slot] = agreed_.triangles[triangle];
+    const Index next = slot[0] + 1 == stars_.begin[lowest + 1] ? stars_.begin[lowest] : slot[0] + 1;
+    return {lowest, stars_.items[slot[0]], stars_.items[next]};
+  }
+
   Triangle oriented(Index triangle) const {
-    const auto& [a, b, c] = agreed_.triangles[triangle].corner;
+    const auto [a, b, c] = cornersOf(triangle);
     return turned_[triangle] ? Triangle{b, a, c} : Triangle{a, b, c};
   }
 
@@ -265,8 +283,9 @@ class IslandWalk {
 
   // The agreed triangle beyond the edge from v to w: in the ring of v it is on the other side of w.
   Index across(Index triangle, Index v, Index w) const {
-    const AgreedTriangle& own = agreed_.triangles[triangle];
-    const Index slot = own.slot[own.corner[0] == v ? 0 : own.corner[1] == v ? 1 : 2];
+    const Triangle corners = cornersOf(triangle);
+    const std::array<Index, 3>& slots = agreed_.triangles[triangle].slot;
+    const Index slot = slots[corners[0] == v ? 0 : corners[1] == v ? 1 : 2];
     const Index begin = stars_.begin[v], end = stars_.begin[v + 1];
     const bool is_first = stars_.items[slot] == w;
     if (is_first) return agreed_.of_slot[slot == begin ? end - 1 : slot - 1];

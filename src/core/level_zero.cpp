@@ -10,6 +10,7 @@
 #include "border_smoothing.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/self_intersections.h"
+#include "reduction_stages.h"
 #include "side_flips.h"
 #include "troubled_places.h"
 
@@ -17,7 +18,7 @@ namespace mlsmesh::core {
 namespace {
 
 // Level 0: the vertices that a triangle uses, in the order of the representatives, copies of split ones last.
-void storeLevelZero(const Triangulation& triangulation, Reconstruction& result) {
+void storeLevelZero(Triangulation triangulation, Reconstruction& result) {
   const Representatives& all = result.representatives;
   const Index originals = all.size();
   const Index total = originals + static_cast<Index>(triangulation.duplicate_of.size());
@@ -27,6 +28,9 @@ void storeLevelZero(const Triangulation& triangulation, Reconstruction& result) 
   }
   RefinedMesh& mesh = result.mesh;
   IndexLists members;
+  members.items.reserve(result.clusters.items.size());
+  members.begin.reserve(static_cast<std::size_t>(total) + 1);
+  mesh.position.reserve(static_cast<std::size_t>(total));
   for (Index v = 0; v < total; ++v) {
     if (vertex_of[v] == kNone) continue;
     vertex_of[v] = static_cast<Index>(mesh.position.size());
@@ -39,7 +43,7 @@ void storeLevelZero(const Triangulation& triangulation, Reconstruction& result) 
     members.append(result.clusters.data(from), result.clusters.size(from));
   }
   result.clusters = std::move(members);
-  std::vector<Triangle> triangles = triangulation.triangles;
+  std::vector<Triangle> triangles = std::move(triangulation.triangles);
   for (Triangle& t : triangles) {
     for (Index& v : t) v = vertex_of[v];
   }
@@ -122,10 +126,11 @@ void moveBorders(const Surroundings& cloud, const Context& context, Reconstructi
 Triangulation triangulateRepresentatives(const std::vector<Vec3>& points, const NeighborSearch& search,
                                          const Context& context, const Reconstruction& result) {
   const Representatives& all = result.representatives;
-  TriangulationInput input{all.position};
+  const bool reduced = result.noise.parameters.reduce;
+  TriangulationInput input{reduced ? all.position : points};
   input.spacing = result.spacing;
   input.may_split = true;
-  if (result.noise.parameters.reduce) {
+  if (reduced) {
     input.normals = &all.normal;
     input.cloud_spacing = &all.spacing;
     input.cloud = &search;
@@ -178,9 +183,10 @@ void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& 
   Triangulation triangulation =
       triangulateRepresentatives(cloud.points.position, cloud.search(), context, result);
   refineTroubledPlaces(cloud, context, result, triangulation);
+  if (!result.noise.parameters.reduce) useThePoints(cloud, result);
   result.front = triangulation.statistics;
   warnOfSeams(result.front, context);
-  storeLevelZero(triangulation, result);
+  storeLevelZero(std::move(triangulation), result);
   if (result.features.any()) turnToSides(context, result);
   moveBorders(cloud, context, result);
 }

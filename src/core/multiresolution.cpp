@@ -40,8 +40,10 @@ class Stopwatch {
 std::vector<MeshReport> reportLevels(const RefinedMesh& mesh, const Context& context) {
   std::vector<MeshReport> reports(static_cast<std::size_t>(mesh.levelCount()));
   parallelBlocks(context, reports.size(), 1, [&](std::size_t level, std::size_t) {
+    const bool finest = level + 1 == reports.size();
     const auto begin = mesh.position.begin();
-    reports[level] = reportMesh({begin, begin + mesh.level_vertices[level]}, mesh.level_triangles[level]);
+    const std::vector<Vec3> vertices(begin, finest ? begin : begin + mesh.level_vertices[level]);
+    reports[level] = reportMesh(finest ? mesh.position : vertices, mesh.level_triangles[level]);
   });
   for (std::size_t level = 0; level < reports.size(); ++level) {
     std::optional<std::int64_t>& pairs = reports[level].self_intersections;
@@ -68,10 +70,6 @@ void denoise(const NoiseAdaptation& noise, const Context& context, Surroundings&
 }
 
 void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruction& result) {
-  if (!result.noise.parameters.reduce) {
-    useThePoints(cloud, result);
-    return;
-  }
   stages.run("reduction", 0.25, [&] { clusterAndReduce(cloud, context, result); });
   stages.run("outliers", 0.3, [&] {
     removeOutliers(context, cloud, result);
@@ -100,7 +98,7 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   });
   if (result.noise.passes > 0) stages.run("denoising", 0.2, [&] { denoise(result.noise, context, *cloud); });
   renewSurface(result.noise, *cloud);
-  reduce(stages, context, *cloud, result);
+  if (result.noise.parameters.reduce) reduce(stages, context, *cloud, result);
   stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
              [&] { makeLevelZero(*cloud, context, result); });
   if (parameters.watertight || parameters.hole_size > 0) {
@@ -115,8 +113,9 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
                result.features);
     });
   }
-  stages.run("report", 1.0, [&] { result.reports = reportLevels(result.mesh, context); });
   result.points = std::move(cloud->points);
+  cloud.reset();
+  stages.run("report", 1.0, [&] { result.reports = reportLevels(result.mesh, context); });
   return result;
 }
 
