@@ -46,6 +46,12 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
     performReconstruction(points, polygons);
   }
 
+  /// Runs the steps and makes no mesh of PCL's, which takes 56 bytes a triangle and a copy of the vertices
+  /// beside the 12 bytes a triangle of reconstruction().mesh.level_triangles. getLevel() makes one when asked.
+  void compute() {
+    build([] {});
+  }
+
   /// The same as reconstruct().
   void compute(pcl::PolygonMesh& output) { reconstruct(output); }
   void compute(pcl::PointCloud<PointT>& points, std::vector<pcl::Vertices>& polygons) {
@@ -58,7 +64,7 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
   /// Replaces `output` by level `level`; empties it and returns false if there is no such level.
   bool getLevel(int level, pcl::PolygonMesh& output) const {
     detail::clear(output);
-    return core::guarded([&] { makePolygonMesh(reconstruction_.mesh, level, vertices_, output); }).ok();
+    return core::guarded([&] { makePolygonMesh(reconstruction_.mesh, level, vertices(), output); }).ok();
   }
 
   /// Topology of every level of the last run.
@@ -73,7 +79,7 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
  protected:
   void performReconstruction(pcl::PolygonMesh& output) override {
     detail::clear(output);
-    build([&] { makePolygonMesh(reconstruction_.mesh, getLevelCount() - 1, vertices_, output); });
+    build([&] { makePolygonMesh(reconstruction_.mesh, getLevelCount() - 1, vertices(), output); });
     if (!this->status().ok()) detail::clear(output);
   }
 
@@ -82,7 +88,7 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
     polygons.clear();
     build([&] {
       polygons = toPolygons(reconstruction_.mesh.level_triangles.back());
-      detail::fromBlob(vertices_, points);
+      detail::fromBlob(vertices(), points);
     });
     if (!this->status().ok()) polygons.clear();
   }
@@ -99,22 +105,32 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
         return makeSearch<PointT>(set, this->tree_, context);
       };
       reconstruction_ = core::reconstruct(std::move(points), factory, parameters_, context);
-      pcl::PCLPointCloud2 input;
-      detail::toBlob(*this->input_, input);
-      makeLevelCloud(reconstruction_, reconstruction_.mesh.levelCount() - 1, input, vertices_);
+      computed_ = this->input_;
       write();
     });
     if (!this->status().ok()) reset();
   }
 
+  // Of the finest level, with the fields of the cloud that was computed; made when first asked for.
+  const pcl::PCLPointCloud2& vertices() const {
+    if (vertices_.fields.empty() && getLevelCount() > 0) {
+      pcl::PCLPointCloud2 input;
+      detail::toBlob(*computed_, input);
+      makeLevelCloud(reconstruction_, reconstruction_.mesh.levelCount() - 1, input, vertices_);
+    }
+    return vertices_;
+  }
+
   void reset() {
     reconstruction_ = {};
     vertices_ = {};
+    computed_.reset();
   }
 
   MultiresolutionParameters parameters_;
   core::Reconstruction reconstruction_;
-  pcl::PCLPointCloud2 vertices_;  // of the finest level
+  typename pcl::PointCloud<PointT>::ConstPtr computed_;
+  mutable pcl::PCLPointCloud2 vertices_;
 };
 
 }  // namespace mlsmesh
