@@ -82,7 +82,9 @@ Work outliers(StepData& data, int threads) {
   return [&points = data.points().position, &surface = data.surface(), &reduced = data.reduced(),
           context = contextOf(threads)] {
     StepData::Reduced kept = reduced;
-    const auto dropped = dropOutliers(OutlierParameters{}, kept.representatives, kept.clusters, context);
+    const auto search = makeKdTreeOver(kept.representatives.position);
+    const NeighborTable neighbors = nearestOfAll(kept.representatives.position, *search, 12, context);
+    const auto dropped = dropOutliers(OutlierParameters{}, neighbors, kept.representatives, kept.clusters);
     return dropped.size() + strayPoints(points, surface, kept.representatives, kept.clusters, context).size();
   };
 }

@@ -47,7 +47,8 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
   }
 
   /// Runs the steps and makes no mesh of PCL's, which takes 56 bytes a triangle and a copy of the vertices
-  /// beside the 12 bytes a triangle of reconstruction().mesh.level_triangles. getLevel() makes one when asked.
+  /// beside the 12 bytes a triangle of reconstruction().mesh.level_triangles. getLevel() makes one when
+  /// asked.
   void compute() {
     build([] {});
   }

@@ -375,19 +375,19 @@ CloudSupport supportOf(const TriangulationInput& input, const VertexData& data, 
 HalfEdgeMesh growMesh(const TriangulationInput& input, const TriangulationParameters& parameters,
                       const Context& context, VertexData& data, FrontStatistics& statistics) {
   const std::vector<Vec3>& points = input.points;
-  NeighborTable neighbors;
-  std::vector<double> spacing;
-  {
-    const auto own_search = input.search ? nullptr : makeKdTree(points);
-    const NeighborSearch& search = input.search ? *input.search : *own_search;
-    neighbors = nearestOfAll(points, search, parameters.neighbors, context);
-    spacing = localSpacings(points, neighbors, context);
+  NeighborTable own_neighbors;
+  const bool are_known = input.neighbors && input.normals;
+  const NeighborTable& neighbors = are_known ? *input.neighbors : own_neighbors;
+  const auto own_search = input.search || are_known ? nullptr : makeKdTreeOver(points);
+  const NeighborSearch* search = input.search ? input.search : own_search.get();
+  if (!are_known) own_neighbors = nearestOfAll(points, *search, parameters.neighbors, context);
+  std::vector<double> spacing = localSpacings(points, neighbors, context);
+  if (!input.normals) {
     std::vector<char> on_line;
-    std::vector<Vec3> normals =
-        input.normals ? *input.normals : tangentNormals(points, neighbors, context, &on_line);
+    std::vector<Vec3> normals = tangentNormals(points, neighbors, context, &on_line);
     if (std::find(on_line.begin(), on_line.end(), 1) != on_line.end())
-      widenLines(points, on_line, search, context, neighbors, spacing, normals);
-    if (!input.normals) data.normals = std::move(normals);
+      widenLines(points, on_line, *search, context, own_neighbors, spacing, normals);
+    data.normals = std::move(normals);
   }
   HalfEdgeMesh mesh(static_cast<Index>(points.size()));
   const std::vector<double>& local = input.cloud_spacing ? spacing : data.cloud_spacing.get();

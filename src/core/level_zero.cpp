@@ -124,13 +124,15 @@ void moveBorders(const Surroundings& cloud, const Context& context, Reconstructi
 }
 
 Triangulation triangulateRepresentatives(const std::vector<Vec3>& points, const NeighborSearch& search,
-                                         const Context& context, const Reconstruction& result) {
+                                         const Context& context, KnownNeighbors& neighbors,
+                                         const Reconstruction& result) {
   const Representatives& all = result.representatives;
   const bool reduced = result.noise.parameters.reduce;
   TriangulationInput input{reduced ? all.position : points};
   input.spacing = result.spacing;
   input.may_split = true;
   if (reduced) {
+    input.neighbors = &neighbors.of(all.position, result.noise.parameters.triangulation.neighbors, context);
     input.normals = &all.normal;
     input.cloud_spacing = &all.spacing;
     input.cloud = &search;
@@ -151,8 +153,8 @@ Index faultsOf(const Triangulation& triangulation) {
 }
 
 // Triangulates again, with smaller clusters where there was trouble, as long as that leaves less of it.
-void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstruction& result,
-                          Triangulation& triangulation) {
+void refineTroubledPlaces(const Surroundings& cloud, Context& context, KnownNeighbors& neighbors,
+                          Reconstruction& result, Triangulation& triangulation) {
   constexpr int kRounds = 2;
   const MultiresolutionParameters& parameters = result.noise.parameters;
   const bool may_refine = parameters.reduce && parameters.triangulation.heal && !result.features.any() &&
@@ -167,7 +169,8 @@ void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstru
     if (result.noise.drops_crowded) dropCrowded(representatives, clusters, context);
     std::swap(representatives, result.representatives);
     std::swap(clusters, result.clusters);
-    Triangulation finer = triangulateRepresentatives(cloud.points.position, cloud.search(), context, result);
+    Triangulation finer =
+        triangulateRepresentatives(cloud.points.position, cloud.search(), context, neighbors, result);
     if (faultsOf(finer) >= faultsOf(triangulation)) {
       std::swap(representatives, result.representatives);
       std::swap(clusters, result.clusters);
@@ -179,10 +182,11 @@ void refineTroubledPlaces(const Surroundings& cloud, Context& context, Reconstru
 
 }  // namespace
 
-void makeLevelZero(const Surroundings& cloud, Context& context, Reconstruction& result) {
+void makeLevelZero(const Surroundings& cloud, Context& context, KnownNeighbors neighbors,
+                   Reconstruction& result) {
   Triangulation triangulation =
-      triangulateRepresentatives(cloud.points.position, cloud.search(), context, result);
-  refineTroubledPlaces(cloud, context, result, triangulation);
+      triangulateRepresentatives(cloud.points.position, cloud.search(), context, neighbors, result);
+  refineTroubledPlaces(cloud, context, neighbors, result, triangulation);
   if (!result.noise.parameters.reduce) useThePoints(cloud, result);
   result.front = triangulation.statistics;
   warnOfSeams(result.front, context);

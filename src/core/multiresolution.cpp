@@ -69,10 +69,11 @@ void denoise(const NoiseAdaptation& noise, const Context& context, Surroundings&
   }
 }
 
-void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, Reconstruction& result) {
+void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, KnownNeighbors& neighbors,
+            Reconstruction& result) {
   stages.run("reduction", 0.25, [&] { clusterAndReduce(cloud, context, result); });
   stages.run("outliers", 0.3, [&] {
-    removeOutliers(context, cloud, result);
+    removeOutliers(context, cloud, neighbors, result);
     divideBetweenSheets(cloud, context, result);
   });
   stages.run("features", 0.35, [&] { keepFeatures(cloud, context, result); });
@@ -98,9 +99,10 @@ Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
   });
   if (result.noise.passes > 0) stages.run("denoising", 0.2, [&] { denoise(result.noise, context, *cloud); });
   renewSurface(result.noise, *cloud);
-  if (result.noise.parameters.reduce) reduce(stages, context, *cloud, result);
+  KnownNeighbors neighbors;
+  if (result.noise.parameters.reduce) reduce(stages, context, *cloud, neighbors, result);
   stages.run("triangulation", result.noise.parameters.reduce ? 0.45 : 0.7,
-             [&] { makeLevelZero(*cloud, context, result); });
+             [&] { makeLevelZero(*cloud, context, std::move(neighbors), result); });
   if (parameters.watertight || parameters.hole_size > 0) {
     stages.run("holes", parameters.reduce ? 0.5 : 0.75, [&] { closeHolesOf(*cloud, context, result); });
   }

@@ -49,7 +49,8 @@ bool isOff(const Representatives& all, const NeighborTable& neighbors, Index i) 
   constexpr double kSparser = 1.5;
   if (all.kind[i] != VertexKind::InputPoint) return false;
   std::vector<double> around;
-  for (int j = 0; j < neighbors.k; ++j) around.push_back(all.spacing[neighbors.row(i)[j]]);
+  for (int j = 0; j < std::min(kNeighbors, neighbors.k); ++j)
+    around.push_back(all.spacing[neighbors.row(i)[j]]);
   return all.spacing[i] > kSparser * median(around);
 }
 
@@ -61,16 +62,16 @@ bool isAfloat(const Representatives& all, double usual_spacing, Index i) {
 }
 
 // Groups of linked representatives; those off the surface stay alone.
-Groups linkedGroups(const OutlierParameters& parameters, const Representatives& all, const Context& context) {
-  const auto search = makeKdTree(all.position);
-  const NeighborTable neighbors = nearestOfAll(all.position, *search, kNeighbors, context);
+Groups linkedGroups(const OutlierParameters& parameters, const Representatives& all,
+                    const NeighborTable& neighbors) {
+  const int looked_at = std::min(kNeighbors, neighbors.k);
   std::vector<char> off(all.position.size());
   std::vector<double> spacings = all.spacing;
   const double usual = median(spacings);
   for (Index i = 0; i < all.size(); ++i) off[i] = isOff(all, neighbors, i) || isAfloat(all, usual, i);
   Groups groups(all.size());
   for (Index i = 0; i < all.size(); ++i) {
-    for (int j = 0; j < neighbors.k && !off[i]; ++j) {
+    for (int j = 0; j < looked_at && !off[i]; ++j) {
       const Index other = neighbors.row(i)[j];
       const double reach = parameters.link * std::min(all.spacing[i], all.spacing[other]);
       const bool near = (all.position[i] - all.position[other]).squaredNorm() <= reach * reach;
@@ -95,12 +96,12 @@ struct Group {
 
 }  // namespace
 
-std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
-                                IndexLists& clusters, const Context& context) {
+std::vector<Index> dropOutliers(const OutlierParameters& parameters, const NeighborTable& neighbors,
+                                Representatives& representatives, IndexLists& clusters) {
   constexpr double kSparse = 3.0;  // local spacing over the main group's
   if (!parameters.remove || representatives.size() == 0) return {};
   const Index count = representatives.size();
-  Groups links = linkedGroups(parameters, representatives, context);
+  Groups links = linkedGroups(parameters, representatives, neighbors);
   std::vector<Group> groups(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) {
     Group& group = groups[links.find(i)];

@@ -50,11 +50,19 @@ Representatives unreduced(const PointSet& points) {
   return all;
 }
 
+// Asks for as many neighbours as the triangulation will.
+std::vector<Index> dropOutliers(const Context& context, KnownNeighbors& neighbors, Reconstruction& result) {
+  const MultiresolutionParameters& parameters = result.noise.parameters;
+  const NeighborTable& table = neighbors.of(result.representatives.position,
+                                            std::max(12, parameters.triangulation.neighbors), context);
+  return core::dropOutliers(parameters.outliers, table, result.representatives, result.clusters);
+}
+
 // Points that belong to no surface, as far as the representatives tell.
-std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context, Reconstruction& result) {
-  const OutlierParameters& parameters = result.noise.parameters.outliers;
-  if (!parameters.remove) return {};
-  std::vector<Index> found = dropOutliers(parameters, result.representatives, result.clusters, context);
+std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context, KnownNeighbors& neighbors,
+                              Reconstruction& result) {
+  if (!result.noise.parameters.outliers.remove) return {};
+  std::vector<Index> found = dropOutliers(context, neighbors, result);
   const std::vector<Index> stray =
       strayPoints(cloud.points.position, cloud.surface(), result.representatives, result.clusters, context);
   found.insert(found.end(), stray.begin(), stray.end());
@@ -97,18 +105,19 @@ void useThePoints(const Surroundings& cloud, Reconstruction& result) {
   result.representatives = unreduced(cloud.points);
 }
 
-void removeOutliers(Context& context, Surroundings& cloud, Reconstruction& result) {
+void removeOutliers(Context& context, Surroundings& cloud, KnownNeighbors& neighbors,
+                    Reconstruction& result) {
   constexpr int kRounds = 3;      // what one outlier hid, the next round sees,
   constexpr double kFew = 0.001;  // unless they are so few, of the points, that none hides another
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Index> outliers = outliersOf(cloud, context, result);
+    const std::vector<Index> outliers = outliersOf(cloud, context, neighbors, result);
     if (outliers.empty()) return;
     result.outliers += static_cast<Index>(outliers.size());
     const bool few = outliers.size() < kFew * static_cast<double>(cloud.points.size());
     leaveOut(outliers, context, cloud, result);
     if (few) return;
   }
-  dropOutliers(result.noise.parameters.outliers, result.representatives, result.clusters, context);
+  if (result.noise.parameters.outliers.remove) dropOutliers(context, neighbors, result);
 }
 
 void divideBetweenSheets(const Surroundings& cloud, const Context& context, Reconstruction& result) {

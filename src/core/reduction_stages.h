@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "known_neighbors.h"
 #include "surroundings.h"
 
 namespace mlsmesh::core {
@@ -16,7 +17,7 @@ void clusterAndReduce(const Surroundings& cloud, Context& context, Reconstructio
 void useThePoints(const Surroundings& cloud, Reconstruction& result);
 
 /// Takes out the points that belong to no surface, and reduces the rest again where that changes anything.
-void removeOutliers(Context& context, Surroundings& cloud, Reconstruction& result);
+void removeOutliers(Context& context, Surroundings& cloud, KnownNeighbors& neighbors, Reconstruction& result);
 
 /// More representatives where sheets are near each other.
 void divideBetweenSheets(const Surroundings& cloud, const Context& context, Reconstruction& result);

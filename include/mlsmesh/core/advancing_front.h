@@ -39,6 +39,8 @@ struct TriangulationInput {
   const NeighborSearch* search = nullptr;  ///< over the points; null: FLANN's k-d tree
   const std::vector<Vec3>* normals =
       nullptr;  ///< unit, sign arbitrary; null: the neighbours' principal components serve
+  /// With `normals`, if at hand: the parameters.neighbors nearest others of every point. Saves the search.
+  const NeighborTable* neighbors = nullptr;
   /// For representatives of a cloud: its local spacing d_k / sqrt(k / pi) at every point, and the search over
   /// it. Null: the points are the cloud.
   const std::vector<double>* cloud_spacing = nullptr;

@@ -9,9 +9,10 @@ namespace mlsmesh::core {
 /// small floating groups, and larger groups that are both far sparser than the main one and spread in all
 /// directions. Two representatives are linked if their distance is within a few local spacings of the cloud
 /// at *both*, so that a test for density is never needed and gradients of density stay linked. Returns the
-/// points of the dropped clusters, ascending. O(n log n).
-std::vector<Index> dropOutliers(const OutlierParameters& parameters, Representatives& representatives,
-                                IndexLists& clusters, const Context& context);
+/// points of the dropped clusters, ascending. Of `neighbors`, those of the representatives, 12 each are read.
+/// O(n log n).
+std::vector<Index> dropOutliers(const OutlierParameters& parameters, const NeighborTable& neighbors,
+                                Representatives& representatives, IndexLists& clusters);
 
 /// Points off the surface below them, ascending: farther from the tangent plane of their cluster's
 /// representative than most, or in a cluster too uneven for that test, and then farther than 0.75 local
