@@ -14,6 +14,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -134,7 +135,7 @@ class Splitter {
   void cutAtGap(Index first, Index last) {
     const Index count = last - first;
     if (parameters_.max_gap <= 0 || count < 3 || count > kMaxGapPoints) return;
-    std::array<double, kMaxGapPoints> distance;
+    std::array<double, kMaxGapPoints> distance;  // from the tree, squared while it grows
     std::array<Index, kMaxGapPoints> parent;
     std::array<Index, kMaxGapPoints> visit;  // positions in the order in which the tree reaches them
     std::array<bool, kMaxGapPoints> done{};
@@ -150,13 +151,14 @@ class Splitter {
       visit[round] = best;
       for (Index i = 0; i < count; ++i) {
         if (done[i]) continue;
-        const double d = (points_[order_[first + i]] - points_[order_[first + best]]).norm();
+        const double d = (points_[order_[first + i]] - points_[order_[first + best]]).squaredNorm();
         if (d < distance[i]) {
           distance[i] = d;
           parent[i] = best;
         }
       }
     }
+    for (Index i = 1; i < count; ++i) distance[i] = std::sqrt(distance[i]);
     std::array<double, kMaxGapPoints> edges;
     std::copy_n(distance.begin() + 1, count - 1, edges.begin());
     std::nth_element(edges.begin(), edges.begin() + (count - 1) / 2, edges.begin() + count - 1);
