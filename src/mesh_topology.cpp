@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/exact_predicates.h"
-#include "disjoint_sets.h"
 #include "edge_table.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/self_intersections.h"
@@ -17,9 +17,11 @@ namespace mlsmesh {
 
 namespace {
 
+using core::DisjointSets;
 using core::Index;
 using core::kNone;
 using core::Triangle;
+using core::TwoSidedSets;
 using core::Vec3;
 
 /// Counts what a soup has, into the whole and into its components.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "disjoint_sets.h"
 #include "mlsmesh/core/self_intersections.h"
 #include "overlap_tests.h"
 
@@ -18,33 +19,25 @@ constexpr char kOnMidpoint = 3;  // stages of a pulled vertex: 1/2, 1/4, 0 of it
 class FlipGroups {
  public:
   FlipGroups(Index triangles, const std::vector<FlippedPair>& flips)
-      : leader_(triangles), restored_(triangles) {
-    std::iota(leader_.begin(), leader_.end(), 0);
+      : groups_(static_cast<std::size_t>(triangles)), restored_(triangles) {
+    for (const auto& [a, b] : flips) groups_.join(a, b);
     for (const auto& [a, b] : flips) {
-      const Index low = std::min(leaderOf(a), leaderOf(b));
-      leader_[std::max(leaderOf(a), leaderOf(b))] = low;
-    }
-    for (const auto& [a, b] : flips) {
-      members_.push_back({leaderOf(a), a});
-      members_.push_back({leaderOf(b), b});
+      members_.push_back({groups_.leader(a), a});
+      members_.push_back({groups_.leader(b), b});
     }
     std::sort(members_.begin(), members_.end());
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
   }
 
-  Index leaderOf(Index triangle) {
-    while (leader_[triangle] != triangle) triangle = leader_[triangle] = leader_[leader_[triangle]];
-    return triangle;
-  }
   /// Whether the triangle is one of those that flips made and restore() has not taken back.
   bool isFlipped(Index triangle) {
-    const Index leader = leaderOf(triangle);
+    const Index leader = groups_.leader(triangle);
     const auto first = firstMember(leader);
     return first != members_.end() && first->leader == leader && restored_[leader] == 0;
   }
   /// Notes the triangle's group as restored and returns its members.
   std::vector<Index> restore(Index triangle) {
-    const Index leader = leaderOf(triangle);
+    const Index leader = groups_.leader(triangle);
     restored_[leader] = 1;
     std::vector<Index> group;
     for (auto m = firstMember(leader); m != members_.end() && m->leader == leader; ++m)
@@ -68,7 +61,7 @@ class FlipGroups {
     return std::lower_bound(members_.begin(), members_.end(), Member{leader, 0});
   }
 
-  std::vector<Index> leader_;
+  DisjointSets groups_;
   std::vector<char> restored_;
   std::vector<Member> members_;
 };

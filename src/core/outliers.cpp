@@ -5,38 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "mlsmesh/core/parallel.h"
+#include "disjoint_sets.h"
 
 namespace mlsmesh::core {
 namespace {
 
 constexpr int kNeighbors = 12;
 constexpr double kScattered = 0.1;  // surface variation of points that lie on no surface
-
-class Groups {
- public:
-  explicit Groups(Index count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  // The lower number leads, so that the result does not depend on the order of the links.
-  void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -62,20 +39,20 @@ bool isAfloat(const Representatives& all, double usual_spacing, Index i) {
 }
 
 // Groups of linked representatives; those off the surface stay alone.
-Groups linkedGroups(const OutlierParameters& parameters, const Representatives& all,
-                    const NeighborTable& neighbors) {
+DisjointSets linkedGroups(const OutlierParameters& parameters, const Representatives& all,
+                          const NeighborTable& neighbors) {
   const int looked_at = std::min(kNeighbors, neighbors.k);
   std::vector<char> off(all.position.size());
   std::vector<double> spacings = all.spacing;
   const double usual = median(spacings);
   for (Index i = 0; i < all.size(); ++i) off[i] = isOff(all, neighbors, i) || isAfloat(all, usual, i);
-  Groups groups(all.size());
+  DisjointSets groups(static_cast<std::size_t>(all.size()));
   for (Index i = 0; i < all.size(); ++i) {
     for (int j = 0; j < looked_at && !off[i]; ++j) {
       const Index other = neighbors.row(i)[j];
       const double reach = parameters.link * std::min(all.spacing[i], all.spacing[other]);
       const bool near = (all.position[i] - all.position[other]).squaredNorm() <= reach * reach;
-      if (near && !off[other]) groups.unite(i, other);
+      if (near && !off[other]) groups.join(i, other);
     }
   }
   return groups;
@@ -101,10 +78,10 @@ std::vector<Index> dropOutliers(const OutlierParameters& parameters, const Neigh
   constexpr double kSparse = 3.0;  // local spacing over the main group's
   if (!parameters.remove || representatives.size() == 0) return {};
   const Index count = representatives.size();
-  Groups links = linkedGroups(parameters, representatives, neighbors);
+  DisjointSets links = linkedGroups(parameters, representatives, neighbors);
   std::vector<Group> groups(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) {
-    Group& group = groups[links.find(i)];
+    Group& group = groups[links.leader(i)];
     group.points += clusters.size(i);
     group.spacing.push_back(representatives.spacing[i]);
     group.variation.push_back(representatives.variation[i]);
@@ -122,7 +99,7 @@ std::vector<Index> dropOutliers(const OutlierParameters& parameters, const Neigh
   std::vector<char> keep(static_cast<std::size_t>(count));
   std::vector<Index> dropped;
   for (Index i = 0; i < count; ++i) {
-    keep[i] = keep_group[links.find(i)];
+    keep[i] = keep_group[links.leader(i)];
     if (!keep[i]) dropped.insert(dropped.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
   }
   if (dropped.empty()) return dropped;

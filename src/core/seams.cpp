@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "mlsmesh/core/neighbor_search.h"
 
 namespace mlsmesh::core {
@@ -117,9 +117,7 @@ class Vicinity {
 class Seams {
  public:
   Seams(const HalfEdgeMesh& mesh, std::vector<Rim> rims)
-      : mesh_(mesh), rims_(std::move(rims)), role_(rims_.size(), kNoSeam), group_(rims_.size()) {
-    std::iota(group_.begin(), group_.end(), 0);
-  }
+      : mesh_(mesh), rims_(std::move(rims)), role_(rims_.size(), kNoSeam), groups_(rims_.size()) {}
 
   SeamCount count() {
     std::vector<Vec3> middles;
@@ -165,16 +163,11 @@ class Seams {
     }
   }
 
-  Index groupOf(Index i) {
-    while (group_[i] != i) i = group_[i] = group_[group_[i]];
-    return i;
-  }
-
   void join(const NeighborSearch& search) {
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
       if (role_[i] == kNoSeam) continue;
       for (const Index j : around(search, i)) {
-        if (role_[j] != kNoSeam) group_[groupOf(j)] = groupOf(i);
+        if (role_[j] != kNoSeam) groups_.join(i, j);
       }
     }
   }
@@ -184,7 +177,7 @@ class Seams {
     std::vector<double> length(rims_.size(), 0);
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
       if (role_[i] == kNoSeam) continue;
-      const Index group = groupOf(i);
+      const Index group = groups_.leader(i);
       ++edges[group];
       far[group] += role_[i] == kFarSide ? 1 : 0;
       length[group] += rims_[i].length / 2;
@@ -202,7 +195,7 @@ class Seams {
   const HalfEdgeMesh& mesh_;
   const std::vector<Rim> rims_;
   std::vector<Role> role_;
-  std::vector<Index> group_;  // union-find
+  DisjointSets groups_;
 };
 
 }  // namespace

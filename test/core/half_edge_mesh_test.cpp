@@ -364,6 +364,48 @@ std::string whyNot(Index vertices, const std::vector<Triangle>& triangles) {
   return why;
 }
 
+// Everything that the order of links shows in.
+void expectSameLinks(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
+  ASSERT_EQ(a.triangles(), b.triangles());
+  ASSERT_EQ(a.vertexCount(), b.vertexCount());
+  for (Index v = 0; v < a.vertexCount(); ++v) ASSERT_EQ(a.firstOutgoing(v), b.firstOutgoing(v)) << v;
+  for (Index h = 0; h < 3 * a.slotCount(); ++h) {
+    ASSERT_EQ(a.twin(h), b.twin(h)) << h;
+    ASSERT_EQ(a.nextOutgoing(h), b.nextOutgoing(h)) << h;
+  }
+}
+
+TEST(AssignTriangles, LinksAsAddingOneByOneDoes) {
+  for (const test::Soup& soup :
+       {test::torus(90, 70), test::grid(60, 50), together(test::tetrahedron(), test::grid(3, 2))}) {
+    HalfEdgeMesh added(soup.vertexCount());
+    for (const auto& [a, b, c] : soup.triangles) ASSERT_NE(added.addTriangle(a, b, c), kNone);
+    for (const int threads : {1, 2, 7}) {
+      Context context;
+      context.threads = threads;
+      HalfEdgeMesh assigned(soup.vertexCount());
+      assigned.addTriangle(0, 2, 1);  // goes
+      ASSERT_TRUE(assigned.assignTriangles(soup.triangles, context));
+      expectSameLinks(assigned, added);
+      EXPECT_EQ(assigned.validate(), "");
+    }
+  }
+}
+
+TEST(AssignTriangles, RefusesAnEdgeThatIsRunTwice) {
+  test::Soup soup = test::torus(30, 20);
+  for (const std::size_t place : {std::size_t{0}, soup.triangles.size() / 2, soup.triangles.size()}) {
+    std::vector<Triangle> triangles = soup.triangles;
+    triangles.insert(triangles.begin() + static_cast<std::ptrdiff_t>(place), soup.triangles[7]);
+    HalfEdgeMesh mesh(soup.vertexCount());
+    EXPECT_FALSE(mesh.assignTriangles(triangles, {}));
+    EXPECT_EQ(mesh.triangleCount(), 0);
+    EXPECT_EQ(mesh.vertexCount(), soup.vertexCount());
+    EXPECT_EQ(mesh.validate(), "");
+    EXPECT_TRUE(mesh.assignTriangles(soup.triangles, {})) << "and takes others afterwards";
+  }
+}
+
 TEST(BuildMesh, NamesTheFirstOffender) {
   EXPECT_EQ(whyNot(3, {{0, 1, 3}}), "triangle 0 names vertex 3, which does not exist");
   EXPECT_EQ(whyNot(3, {{0, 1, -1}}), "triangle 0 names vertex -1, which does not exist");
