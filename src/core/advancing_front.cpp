@@ -21,6 +21,7 @@
 #include "healing.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/neighbor_search.h"
+#include "mlsmesh/core/parallel.h"
 #include "overlap_tests.h"
 #include "pinches.h"
 #include "seams.h"
@@ -201,19 +202,32 @@ std::vector<Triangle> takeIsland(Index island, Islands& islands) {
   return rest;
 }
 
+// Those that the cloud has points near.
+void keepSupported(const CloudSupport& support, const Context& context, std::vector<Triangle>& triangles) {
+  if (!support.testsAnything()) return;
+  std::vector<char> is_supported(triangles.size());
+  parallelBlocks(context, triangles.size(), 2048, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) is_supported[t] = support.supports(triangles[t]) ? 1 : 0;
+  });
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (is_supported[t] != 0) triangles[kept++] = triangles[t];
+  }
+  triangles.resize(kept);
+}
+
 void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, Islands islands,
-                     const TriangulationParameters& parameters, HalfEdgeMesh& mesh, Front& front) {
+                     const TriangulationParameters& parameters, const Context& context, HalfEdgeMesh& mesh,
+                     Front& front) {
   mesh.reserveTriangles(
       std::max(islands.begin.back(), 2 * mesh.vertexCount()));  // about as many as Euler says
   for (Index i = 0; i < islands.count(); ++i) {
     std::vector<Triangle> usable = takeIsland(i, islands);
-    const auto isUsable = [&](const Triangle& t) {
-      const auto isFreeCorner = [&](Index v) { return isFree(input, normals, mesh, v); };
-      return (i == 0 || std::all_of(t.begin(), t.end(), isFreeCorner)) && input.support.supports(t);
+    keepSupported(input.support, context, usable);
+    const auto isUsed = [&](const Triangle& t) {
+      return std::any_of(t.begin(), t.end(), [&](Index v) { return !isFree(input, normals, mesh, v); });
     };
-    usable.erase(
-        std::remove_if(usable.begin(), usable.end(), [&](const Triangle& t) { return !isUsable(t); }),
-        usable.end());
+    if (i > 0) usable.erase(std::remove_if(usable.begin(), usable.end(), isUsed), usable.end());
     if (usable.empty() || (i > 0 && static_cast<Index>(usable.size()) < kLeastIsland)) continue;
     if (i == 0 ? isInsideOut(input.points, usable) : isTurnedAgainst(input, mesh, usable)) {
       for (Triangle& t : usable) std::swap(t[1], t[2]);
@@ -309,7 +323,7 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
     Islands islands = agreedIslands(
         localStars(input.points, normals, input.neighbors, input.spacing, parameters.length_factor, context),
         context);
-    growFromIslands(input, normals, std::move(islands), parameters, mesh, front);
+    growFromIslands(input, normals, std::move(islands), parameters, context, mesh, front);
   }
   if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, mesh, front);
   if (mesh.triangleCount() == 0) {

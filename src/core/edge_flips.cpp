@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "mlsmesh/core/parallel.h"
 #include "overlap_tests.h"
@@ -102,23 +103,6 @@ bool mayFlip(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position, Index 
   return keepsFan(mesh, mesh.origin(h)) && keepsFan(mesh, mesh.target(h));
 }
 
-// Whether an edge may look different from when it was last left as it is: all that decides about it hangs on
-// the triangles around the four corners of its quad.
-class Disturbed {
- public:
-  explicit Disturbed(Index vertices) : round_(static_cast<std::size_t>(vertices), -1) {}
-
-  bool any(const std::array<Index, 4>& corners, int round) const {
-    return std::any_of(corners.begin(), corners.end(), [&](Index v) { return round_[v] + 1 >= round; });
-  }
-  void note(const std::array<Index, 4>& corners, int round) {
-    for (const Index v : corners) round_[v] = round;
-  }
-
- private:
-  std::vector<int> round_;  // of the last flip at every vertex
-};
-
 // The half-edge on the other side, if there is one and its number is higher; else kNone.
 Index beyondLower(const HalfEdgeMesh& mesh, Index h) {
   const Index g = mesh.alive(HalfEdgeMesh::triangleOf(h)) ? mesh.twin(h) : kNone;
@@ -166,6 +150,45 @@ class Gains {
   std::vector<char> changed_;
 };
 
+// The edges that may look different from when they were last left as they are, by their lower half-edge: all
+// that decides about an edge hangs on the triangles around the four corners of its quad. Taken in order;
+// those that a flip adds behind the current one still in this round, the others in the next.
+class Disturbed {
+ public:
+  explicit Disturbed(const HalfEdgeMesh& mesh)
+      : mesh_(mesh), now_(3 * static_cast<std::size_t>(mesh.slotCount()), 1), next_(now_.size(), 0) {}
+
+  void startRound() {
+    now_.swap(next_);
+    std::fill(next_.begin(), next_.end(), 0);
+  }
+  /// The first one from `half_edge` on, which is so no longer, or the number of half-edges.
+  Index take(Index half_edge) {
+    const std::size_t from = static_cast<std::size_t>(half_edge);
+    void* const place = from < now_.size() ? std::memchr(&now_[from], 1, now_.size() - from) : nullptr;
+    if (!place) return static_cast<Index>(now_.size());
+    char* const found = static_cast<char*>(place);
+    *found = 0;
+    return static_cast<Index>(found - now_.data());
+  }
+  void noteFlip(const std::array<Index, 4>& corners) {
+    for (const Index v : corners) {
+      for (Index h = mesh_.firstOutgoing(v); h != kNone; h = mesh_.nextOutgoing(h)) {
+        const Index first = 3 * HalfEdgeMesh::triangleOf(h);
+        for (Index side = first; side < first + 3; ++side) {
+          const Index lower = mesh_.isBorder(side) ? side : std::min(side, mesh_.twin(side));
+          now_[lower] = next_[lower] = 1;
+        }
+      }
+    }
+  }
+
+ private:
+  const HalfEdgeMesh& mesh_;
+  std::vector<char> now_;
+  std::vector<char> next_;
+};
+
 }  // namespace
 
 Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule rule, bool guard,
@@ -173,16 +196,16 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
                 std::vector<FlippedPair>* flips) {
   if (rule == FlipRule::NoFlips) return 0;
   Index total = 0;
-  Disturbed disturbed(mesh.vertexCount());
   Gains gains(mesh, position, rule, context);
+  Disturbed disturbed(mesh);
+  const Index end = 3 * mesh.slotCount();
   for (int round = 0; round < kRounds; ++round) {
     context.checkCancelled();
     Index flipped = 0;
-    for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
+    for (Index h = disturbed.take(0); h < end; h = disturbed.take(h + 1)) {
       const Index g = beyondLower(mesh, h);
       if (g == kNone || gains.isKnownLoss(h, g)) continue;
       const std::array<Index, 4> corners = cornersAround(mesh, h, g);
-      if (!disturbed.any(corners, round)) continue;
       const Quad q = quadOf(position, corners);
       if (!gains.isGain(h, g, q)) continue;
       if (kinds && touchesCrease(*kinds, corners) && !staysFlat(q)) continue;
@@ -190,11 +213,12 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
       if (!mayFlip(mesh, position, h, q, guard) || !mesh.flip(h)) continue;
       ++flipped;
       gains.noteFlip(h, g);
-      disturbed.note(corners, round);
+      disturbed.noteFlip(corners);
       if (flips) flips->push_back({HalfEdgeMesh::triangleOf(h), HalfEdgeMesh::triangleOf(g)});
     }
     total += flipped;
     if (flipped == 0) break;
+    disturbed.startRound();
   }
   return total;
 }

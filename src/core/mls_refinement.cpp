@@ -21,6 +21,7 @@
 #include "mlsmesh/core/self_intersections.h"
 #include "overlap_tests.h"
 #include "patch_edges.h"
+#include "radix_sort.h"
 
 namespace mlsmesh::core {
 namespace {
@@ -184,7 +185,11 @@ std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh,
     const Index u = mesh.origin(edge.half_edge), v = mesh.target(edge.half_edge);
     unmarked.push_back({std::min(u, v), std::max(u, v)});
   }
-  std::sort(unmarked.begin(), unmarked.end());
+  int bits = 1;  // of a vertex number
+  while (mesh.vertexCount() >> bits > 0) ++bits;
+  radixSort(unmarked, 2 * bits, [bits](const std::array<Index, 2>& edge) {
+    return static_cast<std::uint64_t>(edge[0]) << bits | static_cast<std::uint64_t>(edge[1]);
+  });
   return unmarked;
 }
 

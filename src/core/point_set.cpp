@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -39,6 +40,10 @@ struct Box {
   void add(const Vec3& point) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
+  }
+  void add(const Box& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
   }
   Vec3 center() const { return 0.5 * low + 0.5 * high; }
   double halfExtent() const { return (0.5 * high - 0.5 * low).maxCoeff(); }
@@ -84,16 +89,29 @@ std::vector<Index> chosenInputs(const std::vector<Vec3>& world, const std::vecto
   return *indices;
 }
 
-void dropNonFinite(const std::vector<Vec3>& world, std::vector<Index>& inputs, PointSet& set) {
-  const auto kept = std::remove_if(inputs.begin(), inputs.end(),
-                                   [&](Index i) { return !roundedTo(set.stored_as, world[i]).allFinite(); });
-  set.non_finite = static_cast<Index>(inputs.end() - kept);
-  inputs.erase(kept, inputs.end());
-}
-
-Box boundingBox(const std::vector<Vec3>& world, const std::vector<Index>& inputs) {
+/// Drops the inputs that are not finite as they will be stored; returns the box around the others.
+Box dropNonFinite(const std::vector<Vec3>& world, const Context& context, std::vector<Index>& inputs,
+                  PointSet& set) {
+  std::vector<Box> boxes((inputs.size() + kBlock - 1) / kBlock);
+  std::atomic<bool> all_finite{true};
+  parallelBlocks(context, inputs.size(), kBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Vec3& point = world[inputs[i]];
+      if (roundedTo(set.stored_as, point).allFinite())
+        boxes[first / kBlock].add(point);
+      else
+        all_finite = false;
+    }
+  });
+  if (!all_finite) {
+    const auto kept = std::remove_if(inputs.begin(), inputs.end(), [&](Index i) {
+      return !roundedTo(set.stored_as, world[i]).allFinite();
+    });
+    set.non_finite = static_cast<Index>(inputs.end() - kept);
+    inputs.erase(kept, inputs.end());
+  }
   Box box;
-  for (const Index input : inputs) box.add(world[input]);
+  for (const Box& part : boxes) box.add(part);
   return box;
 }
 
@@ -240,9 +258,8 @@ PointSet makePointSet(std::vector<Vec3> world, StoredAs stored_as, const std::ve
   set.stored_as = stored_as;
   std::vector<Index> inputs = chosenInputs(world, indices);
   const std::size_t given = inputs.size();
-  dropNonFinite(world, inputs, set);
+  const Box box = dropNonFinite(world, context, inputs, set);
   if (inputs.empty()) checkShape(set, given, {});
-  const Box box = boundingBox(world, inputs);
   checkExtent(box);
   set.origin = roundedOrigin(box);
 

@@ -162,20 +162,23 @@ void SelfIntersections::measure(std::size_t rank) {
 // Finds the vertices whose triangles, along some axis, are seen to close up around them once, all from the
 // same side: then none of these meets another outside of the edges that they share.
 void SelfIntersections::findSpread(const HalfEdgeMesh& mesh) {
-  std::vector<FanView> fans(position_.size());
-  for (std::size_t t = 0; t < static_cast<std::size_t>(mesh.slotCount()); ++t) {
-    if (!mesh.alive(static_cast<Index>(t))) continue;
-    for (int i = 0; i < 3; ++i) {
-      const Index at = triangles_[t][i], from = triangles_[t][(i + 1) % 3], to = triangles_[t][(i + 2) % 3];
-      FanView& fan = fans[at];
-      if (fan.axis == FanView::kNoAxis) fan.axis = view_[t].widest;
+  const auto isSpread = [&](Index v) {
+    FanView fan;
+    for (Index h = mesh.firstOutgoing(v); h != kNone && fan.fits; h = mesh.nextOutgoing(h)) {
+      if (mesh.isBorder(h) || mesh.isBorder(HalfEdgeMesh::previous(h))) return false;
+      const View& view = view_[HalfEdgeMesh::triangleOf(h)];
+      if (fan.axis == FanView::kNoAxis) fan.axis = view.widest;
       const int across = fan.axis == 0 ? 2 : fan.axis - 1;
-      const double height = position_[at][across];
-      fan.add(view_[t].side[fan.axis], position_[from][across] < height, position_[to][across] < height);
-      if (mesh.isBorder(static_cast<Index>(3 * t) + i)) fan.fits = fans[from].fits = false;
+      const double height = position_[v][across];
+      fan.add(view.side[fan.axis], position_[mesh.target(h)][across] < height,
+              position_[mesh.opposite(h)][across] < height);
     }
-  }
-  for (std::size_t v = 0; v < fans.size(); ++v) spread_[v] = fans[v].fits && fans[v].turns == 1 ? 1 : 0;
+    return fan.fits && fan.turns == 1;
+  };
+  const std::size_t vertices = static_cast<std::size_t>(mesh.vertexCount());
+  parallelBlocks(context_, vertices, 4096, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) spread_[v] = isSpread(static_cast<Index>(v)) ? 1 : 0;
+  });
 }
 
 void SelfIntersections::orderByPlace() {
