@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace mlsmesh::core {
 namespace {
@@ -46,7 +47,7 @@ Dropped dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
     std::set<Index> touched;
     for (const Index v : pinched) dropped.triangles += dropFans(mesh, v, limit, touched);
     dropped.looked_at.insert(pinched.begin(), pinched.end());
-    pinched.swap(touched);
+    pinched = std::move(touched);
   }
   return dropped;
 }
