@@ -167,6 +167,11 @@ void combine(const Direction& there, const Direction& back, SurfaceDistances& re
 
 }  // namespace
 
+std::vector<double> distancesFromMesh(const std::vector<Vec3>& points, const SoupView& mesh,
+                                      const core::Context& context) {
+  return nearestTriangles(points, TriangleTree(mesh.vertices, mesh.triangles), context).distance;
+}
+
 CloudDistances measureCloud(const std::vector<Vec3>& points, const SoupView& mesh, std::size_t samples,
                             const core::Context& context) {
   if (points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))

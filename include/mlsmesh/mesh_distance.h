@@ -38,6 +38,11 @@ struct CloudDistances {
 CloudDistances measureCloud(const std::vector<core::Vec3>& points, const SoupView& mesh, std::size_t samples,
                             const core::Context& context);
 
+/// Of every point, its distance from the nearest triangle; points must be finite, and there must be a
+/// triangle. O((points + triangles) log triangles). Throws core::Failure(Cancelled).
+std::vector<double> distancesFromMesh(const std::vector<core::Vec3>& points, const SoupView& mesh,
+                                      const core::Context& context);
+
 /// How much of two surfaces lies within a distance of one another.
 struct FScore {
   double tolerance = 0;         ///< as a share of the true surface's diagonal
