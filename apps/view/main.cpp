@@ -3,7 +3,7 @@
 #include "common/atomic_output.h"
 #include "mlsmesh/version.h"
 #include "view/view_options.h"
-#include "view/virtual_display.h"
+#include "common/virtual_display.h"
 #include "view/window.h"
 
 #include <vtkObject.h>

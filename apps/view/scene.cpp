@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/scene.h"
 
+#include "common/camera_fit.h"
+
 #include <vtkBoundingBox.h>
 #include <vtkCoordinate.h>
 #include <vtkFeatureEdges.h>
@@ -11,7 +13,6 @@
 #include <vtkShaderProperty.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,6 @@
 namespace mlsmesh::apps {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-constexpr double kViewAngle = 25.0;  // degrees
-constexpr double kMargin = 1.08;     // of the scene's extent on the screen
 constexpr double kDotShare = 1.5;
 
 vtkSmartPointer<vtkActor> makeSurface(const Drawing& drawing, const ViewOptions& options, double pixels) {
@@ -128,39 +126,17 @@ Scene::Pane Scene::makePane(const Drawing& drawing) {
 
 void Scene::placeCamera(const std::vector<Drawing>& drawings) {
   vtkBoundingBox box;
-  for (const Drawing& drawing : drawings) box.AddBounds(drawing.data->GetBounds());
-  std::array<double, 3> center{};
-  box.GetCenter(center.data());
-  const Eigen::Vector3d focus(center.data());
-  const Eigen::Vector3d from = Eigen::Vector3d(options_.from.data()).normalized();
-  const double distance = fittingDistance(drawings, focus, from) / options_.zoom;
-  const Eigen::Vector3d position = focus + distance * from;
-  camera_->SetViewAngle(kViewAngle);
-  camera_->SetFocalPoint(focus.data());
-  camera_->SetPosition(position.data());
-  camera_->SetViewUp(options_.up.data());
+  std::vector<vtkPoints*> scene;
+  for (const Drawing& drawing : drawings) {
+    box.AddBounds(drawing.data->GetBounds());
+    scene.push_back(drawing.data->GetPoints());
+  }
+  const double aspect =
+      (static_cast<double>(options_.size[0]) / columns_) / (static_cast<double>(options_.size[1]) / rows_);
+  fitCamera(scene, options_.viewpoint, aspect, options_.zoom, *camera_);
   std::array<double, 6> bounds{};
   box.GetBounds(bounds.data());
   for (const Pane& pane : panes_) pane.renderer->ResetCameraClippingRange(bounds.data());
-}
-
-double Scene::fittingDistance(const std::vector<Drawing>& drawings, const Eigen::Vector3d& focus,
-                              const Eigen::Vector3d& from) const {
-  const Eigen::Vector3d right = Eigen::Vector3d(options_.up.data()).cross(from).normalized();
-  const Eigen::Vector3d up = from.cross(right);
-  const double aspect =
-      (static_cast<double>(options_.size[0]) / columns_) / (static_cast<double>(options_.size[1]) / rows_);
-  const double slope = std::tan(0.5 * kViewAngle * kPi / 180.0) / kMargin;
-  double distance = 0.0;
-  for (const Drawing& drawing : drawings) {
-    for (vtkIdType i = 0; i < drawing.data->GetNumberOfPoints(); ++i) {
-      const Eigen::Vector3d place = Eigen::Vector3d(drawing.data->GetPoint(i)) - focus;
-      const double needed =
-          std::max(std::abs(place.dot(up)), std::abs(place.dot(right)) / aspect) / slope + place.dot(from);
-      if (std::isfinite(needed)) distance = std::max(distance, needed);
-    }
-  }
-  return distance > 0.0 ? distance : 1.0;
 }
 
 void Scene::showAll() {

@@ -9,7 +9,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -37,9 +36,6 @@ class Scene {
   };
   Pane makePane(const Drawing& drawing);
   void placeCamera(const std::vector<Drawing>& drawings);
-  /// How far from `focus`, in direction `from`, the camera sees every point of all drawings in a pane.
-  double fittingDistance(const std::vector<Drawing>& drawings, const Eigen::Vector3d& focus,
-                         const Eigen::Vector3d& from) const;
   /// Pixels that a viewport is wide and high when all are shown.
   double paneExtent() const;
 

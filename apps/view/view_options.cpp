@@ -65,34 +65,6 @@ std::array<int, 2> defaultSize(std::size_t files) {
   return {std::min(columns * kPaneSide, kMaxSide), std::min(rows * kPaneSide, kMaxSide)};
 }
 
-/// Sets where the camera stands, in axes right, up, towards the viewer, then turned so that the third is
-/// `up`.
-void setDirection(const std::string& view, const std::string& up, ViewOptions& options) {
-  struct Named {
-    const char* name;
-    std::array<double, 3> from;
-    std::array<double, 3> up;
-  };
-  static const std::array<Named, 7> views{{{"front", {0, 0, 1}, {0, 1, 0}},
-                                           {"back", {0, 0, -1}, {0, 1, 0}},
-                                           {"left", {-1, 0, 0}, {0, 1, 0}},
-                                           {"right", {1, 0, 0}, {0, 1, 0}},
-                                           {"top", {0, 1, 0}, {0, 0, -1}},
-                                           {"bottom", {0, -1, 0}, {0, 0, 1}},
-                                           {"iso", {0.62, 0.38, 1}, {0, 1, 0}}}};
-  const auto* found =
-      std::find_if(views.begin(), views.end(), [&](const Named& named) { return view == named.name; });
-  if (found == views.end()) {
-    throw usageError("--view", "'" + view + "' is none of front, back, left, right, top, bottom, iso");
-  }
-  if (up != "x" && up != "y" && up != "z") throw usageError("--up", "'" + up + "' is none of x, y, z");
-  const int shift = up[0] - 'y' + 3;
-  for (int i = 0; i < 3; ++i) {
-    options.from[(i + shift) % 3] = found->from[i];
-    options.up[(i + shift) % 3] = found->up[i];
-  }
-}
-
 double zoomFromText(const std::string& text) {
   const double zoom = numberFromText("--zoom", text);
   if (zoom >= 0.01 && zoom <= 100.0) return zoom;
@@ -123,7 +95,7 @@ ViewOptions readViewOptions(int argc, const char* const* argv) {
   }
   options.size =
       values.count("size") > 0 ? sizeFromText(textOf(values, "size", "")) : defaultSize(options.files.size());
-  setDirection(textOf(values, "view", "iso"), textOf(values, "up", "y"), options);
+  options.viewpoint = namedViewpoint(textOf(values, "view", "iso"), textOf(values, "up", "y"));
   options.zoom = zoomFromText(textOf(values, "zoom", "1"));
   options.flat = values["flat"].as<bool>();
   options.edges = values["edges"].as<bool>();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/viewpoint.h"
+
 #include <array>
 #include <filesystem>
 #include <string>
@@ -15,8 +17,7 @@ struct ViewOptions {
   std::vector<std::filesystem::path> files;
   std::filesystem::path screenshot;  ///< empty: a window
   std::array<int, 2> size{0, 0};     ///< pixels; 0: by the number of files
-  std::array<double, 3> from{};      ///< direction from the middle of the scene to the camera
-  std::array<double, 3> up{};
+  Viewpoint viewpoint;
   double zoom = 1.0;
   bool flat = false;
   bool edges = false;
