@@ -167,11 +167,6 @@ void combine(const Direction& there, const Direction& back, SurfaceDistances& re
 
 }  // namespace
 
-std::vector<double> distancesFromMesh(const std::vector<Vec3>& points, const SoupView& mesh,
-                                      const core::Context& context) {
-  return nearestTriangles(points, TriangleTree(mesh.vertices, mesh.triangles), context).distance;
-}
-
 CloudDistances measureCloud(const std::vector<Vec3>& points, const SoupView& mesh, std::size_t samples,
                             const core::Context& context) {
   if (points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
@@ -196,6 +191,19 @@ CloudDistances measureCloud(const std::vector<Vec3>& points, const SoupView& mes
   result.mesh_to_cloud = statisticsOf(to_cloud);
   if (distinct.size() > 1) result.unsupported = shareAbove(to_cloud, kUnsupported * result.spacing);
   return result;
+}
+
+std::vector<double> distancesFromMesh(const std::vector<Vec3>& points, const SoupView& mesh,
+                                      const core::Context& context) {
+  const TriangleTree tree(mesh.vertices, mesh.triangles);
+  if (tree.empty()) throw core::Failure(StatusCode::NoTriangles, "the mesh has no triangle");
+  return nearestTriangles(points, tree, context).distance;
+}
+
+std::vector<double> distancesFromCloud(const std::vector<Vec3>& places, const std::vector<Vec3>& cloud,
+                                       const core::Context& context) {
+  if (cloud.empty()) throw core::Failure(StatusCode::EmptyInput, "the cloud has no point");
+  return distancesToPoints(places, *core::makeKdTree(cloud), context);
 }
 
 SurfaceDistances measureSurface(const SoupView& mesh, const SoupView& truth, std::size_t samples,
