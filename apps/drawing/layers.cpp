@@ -83,20 +83,23 @@ vtkSmartPointer<vtkActor> valueActor(vtkPolyData* mesh, vtkLookupTable* colors) 
 
 vtkSmartPointer<vtkScalarBarActor> scaleBar(vtkLookupTable* colors, const std::string& title, double pixels) {
   constexpr int kLabels = 5;
+  constexpr double kLetters = 5.5;  // wide
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(colors);
   bar->SetTitle(title.c_str());
   bar->SetNumberOfLabels(kLabels);
-  bar->SetLabelFormat("%-#.3g");
+  bar->SetLabelFormat("%.3g");
   bar->UnconstrainedFontSizeOn();
   const int size = std::clamp(static_cast<int>(pixels / 40.0), 9, 24);
   setText(*bar->GetLabelTextProperty(), size);
   setText(*bar->GetTitleTextProperty(), size);
-  bar->SetWidth(0.12);
+  bar->SetVerticalTitleSeparation(size);
+  const double width = std::clamp(kLetters * size / pixels, 0.1, 0.4);
+  bar->SetWidth(width);
   bar->SetHeight(0.6);
-  bar->SetBarRatio(0.25);
+  bar->SetBarRatio(0.22);
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(0.87, 0.2);
+  bar->SetPosition(0.99 - width, 0.2);
   return bar;
 }
 

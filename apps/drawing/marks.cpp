@@ -19,6 +19,7 @@ constexpr Rgb kDegenerateColor{20, 20, 20};
 constexpr Rgb kDuplicateColor{240, 228, 66};
 constexpr Rgb kNonmanifoldColor{0, 90, 150};
 constexpr Rgb kConflictColor{204, 121, 167};
+constexpr Rgb kBadVertexColor{0, 158, 115};
 constexpr Rgb kNormalColor{213, 94, 0};
 constexpr Rgb kRepresentativeColor{0, 90, 150};
 
@@ -78,7 +79,10 @@ class DefectMarker {
 
   void triangles(const std::string& name, const std::vector<Index>& triangles, const Rgb& color) {
     if (!enter(name, triangles.size(), color)) return;
-    marks_.actors.push_back(markActor(trianglesOf(mesh_, triangles), color));
+    vtkSmartPointer<vtkActor> actor = markActor(trianglesOf(mesh_, triangles), color);
+    actor->GetProperty()->EdgeVisibilityOn();
+    actor->GetProperty()->SetEdgeColor(unitRgb(kEdgeColor).data());
+    marks_.actors.push_back(actor);
     dots(centersOf(mesh_, triangles), color);
   }
   void edges(const std::string& name, const std::vector<MeshEdge>& edges, const Rgb& color) {
@@ -153,9 +157,33 @@ Marks defectMarks(const Shape& mesh, const MeshDefects& defects) {
   marker.triangles("degenerate faces", defects.degenerate_faces, kDegenerateColor);
   marker.edges("edges of three faces or more", defects.nonmanifold_edges, kNonmanifoldColor);
   marker.edges("orientation conflicts", defects.orientation_conflicts, kConflictColor);
-  marker.vertices("non-manifold vertices", defects.nonmanifold_vertices, kNonmanifoldColor);
+  marker.vertices("non-manifold vertices", defects.nonmanifold_vertices, kBadVertexColor);
   if (defects.empty()) marks.legend.push_back({"no defects", kPaleSurfaceColor});
   return marks;
+}
+
+std::vector<core::Vec3> placesOf(const Shape& mesh, const std::vector<BorderEdges>& borders) {
+  std::vector<core::Vec3> places;
+  for (const BorderEdges& border : borders) {
+    core::Vec3 sum(0, 0, 0);
+    for (const MeshEdge& edge : border.edges) sum += mesh.points[edge[0]];
+    places.emplace_back(sum / static_cast<double>(border.edges.size()));
+  }
+  return places;
+}
+
+std::vector<core::Vec3> placesOf(const Shape& mesh, const MeshDefects& defects) {
+  std::vector<core::Vec3> places;
+  const auto add = [&](const std::vector<core::Vec3>& more) {
+    places.insert(places.end(), more.begin(), more.end());
+  };
+  add(centersOf(mesh, defects.crossing_faces));
+  add(centersOf(mesh, defects.duplicate_faces));
+  add(centersOf(mesh, defects.degenerate_faces));
+  add(middlesOf(mesh, defects.nonmanifold_edges));
+  add(middlesOf(mesh, defects.orientation_conflicts));
+  for (const Index vertex : defects.nonmanifold_vertices) places.push_back(mesh.points[vertex]);
+  return places;
 }
 
 Marks normalMarks(const Shape& points, double length) {

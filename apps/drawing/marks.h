@@ -26,6 +26,10 @@ Marks borderMarks(const Shape& mesh, const std::vector<BorderEdges>& borders);
 /// surface; a legend with the counts.
 Marks defectMarks(const Shape& mesh, const MeshDefects& defects);
 
+/// Where the marks are, one place for each border, or for each faulty thing.
+std::vector<core::Vec3> placesOf(const Shape& mesh, const std::vector<BorderEdges>& borders);
+std::vector<core::Vec3> placesOf(const Shape& mesh, const MeshDefects& defects);
+
 /// A dot at every point and a line of that length along its normal.
 Marks normalMarks(const Shape& points, double length);
 

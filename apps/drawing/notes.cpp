@@ -29,6 +29,11 @@ void place(vtkTextActor& actor, double x, double y, double right, double above) 
   position.SetValue(right, above);
 }
 
+void setGround(vtkTextProperty& look) {
+  look.SetBackgroundColor(1.0, 1.0, 1.0);
+  look.SetBackgroundOpacity(0.9);
+}
+
 }  // namespace
 
 int fontSize(double pixels) {
@@ -37,20 +42,27 @@ int fontSize(double pixels) {
 
 vtkSmartPointer<vtkTextActor> label(const std::string& text, int font_size) {
   vtkSmartPointer<vtkTextActor> actor = textActor(text, font_size);
-  place(*actor, 0.0, 0.0, font_size, font_size);
+  actor->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+  actor->GetTextProperty()->SetBackgroundOpacity(0.6);
+  place(*actor, 0.0, 0.0, font_size, 0.7 * font_size);
   return actor;
 }
 
-vtkSmartPointer<vtkTextActor> notice(const std::string& text, int font_size, bool fixed_pitch) {
+vtkSmartPointer<vtkTextActor> notice(const std::string& text, int font_size) {
   vtkSmartPointer<vtkTextActor> actor = textActor(text, font_size);
-  vtkTextProperty& look = *actor->GetTextProperty();
-  if (fixed_pitch) look.SetFontFamilyToCourier();
-  look.SetJustificationToCentered();
-  if (fixed_pitch) look.SetJustificationToLeft();
-  look.SetVerticalJustificationToCentered();
-  look.SetBackgroundColor(1.0, 1.0, 1.0);
-  look.SetBackgroundOpacity(0.9);
+  setGround(*actor->GetTextProperty());
+  actor->GetTextProperty()->SetJustificationToCentered();
+  actor->GetTextProperty()->SetVerticalJustificationToCentered();
   place(*actor, 0.5, 0.5, 0.0, 0.0);
+  return actor;
+}
+
+vtkSmartPointer<vtkTextActor> table(const std::string& text, int font_size) {
+  vtkSmartPointer<vtkTextActor> actor = textActor(text, font_size);
+  setGround(*actor->GetTextProperty());
+  actor->GetTextProperty()->SetFontFamilyToCourier();
+  actor->GetTextProperty()->SetVerticalJustificationToTop();
+  place(*actor, 0.0, 1.0, font_size, -font_size);
   return actor;
 }
 
@@ -66,6 +78,8 @@ std::vector<vtkSmartPointer<vtkTextActor>> legend(const std::vector<LegendEntry>
     look.SetBackgroundOpacity(1.0);
     place(*square, 0.0, 1.0, font_size, -below);
     vtkSmartPointer<vtkTextActor> text = textActor(entry.text, font_size);
+    text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
+    text->GetTextProperty()->SetBackgroundOpacity(0.6);
     place(*text, 0.0, 1.0, 3.5 * font_size, -below);
     actors.push_back(square);
     actors.push_back(text);

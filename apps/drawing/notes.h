@@ -24,8 +24,11 @@ int fontSize(double pixels);
 /// One or more lines at the lower left corner of a pane.
 vtkSmartPointer<vtkTextActor> label(const std::string& text, int font_size);
 
-/// Lines in the middle of a pane, on a light ground; `fixed_pitch` for tables.
-vtkSmartPointer<vtkTextActor> notice(const std::string& text, int font_size, bool fixed_pitch = false);
+/// Lines in the middle of a pane, on a light ground.
+vtkSmartPointer<vtkTextActor> notice(const std::string& text, int font_size);
+
+/// Lines of letters of one width at the upper left corner of a pane, on a light ground.
+vtkSmartPointer<vtkTextActor> table(const std::string& text, int font_size);
 
 /// A column at the upper left corner of a pane: a square of each colour, and its text.
 std::vector<vtkSmartPointer<vtkTextActor>> legend(const std::vector<LegendEntry>& entries, int font_size);

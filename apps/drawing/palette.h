@@ -14,7 +14,7 @@ namespace mlsmesh::apps {
 constexpr int kCategories = 7;
 constexpr Rgb kNoCategoryColor{200, 200, 200};
 constexpr Rgb kSurfaceColor{158, 178, 204};
-constexpr Rgb kPaleSurfaceColor{222, 226, 232};
+constexpr Rgb kPaleSurfaceColor{196, 202, 211};
 constexpr Rgb kTextColor{45, 48, 56};
 constexpr Rgb kEdgeColor{51, 59, 69};
 

@@ -101,6 +101,25 @@ std::optional<ShapeFile> readMesh(const fs::path& file) {
   return result;
 }
 
+ShapeFile readPoints(const fs::path& file) {
+  ShapeFile result;
+  readCloud(file, result.cloud);
+  result.shape = cloudShape(result.cloud, file);
+  return result;
+}
+
+/// A legacy VTK file whose data set is not polygons may still be a cloud.
+ShapeFile readVtkPoints(const fs::path& file, const AppError& why_no_mesh) {
+  ShapeFile result;
+  try {
+    result = readPoints(file);
+  } catch (const AppError&) {
+    throw why_no_mesh;
+  }
+  result.warnings.push_back(std::string(why_no_mesh.what()) + "; shown as points");
+  return result;
+}
+
 }  // namespace
 
 Shape cloudShape(const pcl::PCLPointCloud2& cloud, const fs::path& file) {
@@ -119,12 +138,13 @@ Shape cloudShape(const pcl::PCLPointCloud2& cloud, const fs::path& file) {
 
 ShapeFile readShape(const fs::path& file) {
   checkReadable(file);
-  if (canHoldMesh(file)) {
-    if (std::optional<ShapeFile> mesh = readMesh(file)) return *mesh;
+  try {
+    std::optional<ShapeFile> mesh = canHoldMesh(file) ? readMesh(file) : std::nullopt;
+    return mesh ? std::move(*mesh) : readPoints(file);
+  } catch (const AppError& error) {
+    if (extensionOf(file) != "vtk") throw;
+    return readVtkPoints(file, error);
   }
-  pcl::PCLPointCloud2 cloud;
-  readCloud(file, cloud);
-  return {cloudShape(cloud, file), {}};
 }
 
 }  // namespace mlsmesh::apps

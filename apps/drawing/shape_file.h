@@ -14,6 +14,7 @@ namespace mlsmesh::apps {
 /// A file made ready to be drawn.
 struct ShapeFile {
   Shape shape;
+  pcl::PCLPointCloud2 cloud;          ///< of a cloud: all its fields
   std::vector<std::string> warnings;  ///< what was left out, "FILE: ..."
 };
 
