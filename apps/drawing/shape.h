@@ -28,7 +28,8 @@ Shape levelShape(const core::Reconstruction& reconstruction, core::Index level);
 Shape representativesShape(const core::Reconstruction& reconstruction);
 
 /// The points that the reconstruction kept, where they were after denoising, coloured by their clusters:
-/// clusters whose vertices an edge of level 0 joins differ. Points in none are grey.
+/// clusters whose vertices an edge of level 0 joins differ, as far as kCategories colours allow. Points in
+/// none are grey.
 Shape clustersShape(const core::Reconstruction& reconstruction);
 
 }  // namespace mlsmesh::apps
