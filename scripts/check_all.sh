@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # What takes longer than .ci/run: both compilers with warnings as errors, the whole suite with both, the core's tests
-# under the sanitizers, every cloud of the data, random scans of known surfaces, whether the benchmarks run.
+# under the sanitizers, every cloud of the data, random scans of known surfaces, whether PCL's viewer shows our meshes,
+# whether the benchmarks run.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -23,6 +24,9 @@ MLSMESH_PRESET=dev "$root/scripts/check_data.sh" --all
 
 echo "== random scans"
 MLSMESH_PRESET=dev "$root/scripts/check_random_scans.sh" 200
+
+echo "== pcl_viewer"
+"$root/scripts/check_pcl_viewer.sh" "$root/build/dev/bin"
 
 echo "== benchmarks"
 "$root/scripts/run_benchmarks.py" --quick --bin "$root/build/dev/bin" > /dev/null

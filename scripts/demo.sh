@@ -17,4 +17,7 @@ for level in L0 L1 L2; do
   "$bin/mlsmesh_view" "$out/figure.$level.ply" --flat --size 1000x900 --screenshot "$out/$level.png"
 done
 "$bin/mlsmesh_view" "$out/figure.pcd" "$out"/figure.L[0-2].ply --flat --size 2400x560 --screenshot "$out/levels.png"
+"$bin/mlsmesh_view" "$out/figure.pcd" --size 560x520 --script "wait,c,p=$out/mode_cloud.png,k,p=$out/mode_clusters.png,\
+n,p=$out/mode_representatives.png,m,Down,Down,g,p=$out/mode_mesh.png,g,Up,Up,b,v,v,v,v,v,v,p=$out/mode_borders.png,\
+v,Down,Down,t,p=$out/mode_distance.png,q"
 echo "Meshes and pictures are in $out"

@@ -193,6 +193,19 @@ CloudDistances measureCloud(const std::vector<Vec3>& points, const SoupView& mes
   return result;
 }
 
+std::vector<double> distancesFromMesh(const std::vector<Vec3>& points, const SoupView& mesh,
+                                      const core::Context& context) {
+  const TriangleTree tree(mesh.vertices, mesh.triangles);
+  if (tree.empty()) throw core::Failure(StatusCode::NoTriangles, "the mesh has no triangle");
+  return nearestTriangles(points, tree, context).distance;
+}
+
+std::vector<double> distancesFromCloud(const std::vector<Vec3>& places, const std::vector<Vec3>& cloud,
+                                       const core::Context& context) {
+  if (cloud.empty()) throw core::Failure(StatusCode::EmptyInput, "the cloud has no point");
+  return distancesToPoints(places, *core::makeKdTree(cloud), context);
+}
+
 SurfaceDistances measureSurface(const SoupView& mesh, const SoupView& truth, std::size_t samples,
                                 const core::Context& context) {
   SurfaceSamples of_truth = sampleSurface(truth.vertices, truth.triangles, samples);

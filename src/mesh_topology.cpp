@@ -9,9 +9,11 @@
 #include "core/disjoint_sets.h"
 #include "core/exact_predicates.h"
 #include "edge_table.h"
+#include "exact_origin.h"
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/self_intersections.h"
 #include "mlsmesh/mesh_welding.h"
+#include "soup_fans.h"
 
 namespace mlsmesh {
 
@@ -28,14 +30,13 @@ using core::Vec3;
 class Census {
  public:
   Census(const std::vector<Vec3>& vertices, const EdgeTable& edges)
-      : vertices_(vertices), edges_(edges), fans_(edges.halfEdgeCount()) {}
+      : vertices_(vertices), edges_(edges), fans_(joinFans(edges)) {}
 
   MeshTopology take() {
     findComponents();
     measureFaces();
     countEdges();
     countDuplicates();
-    joinFans();
     countVertices();
     findBorders();
     checkOrientability();
@@ -54,9 +55,7 @@ class Census {
   void measureFaces();
   void countEdges();
   void countDuplicates();
-  void joinFans();
   void countVertices();
-  DisjointSets joinBorderEdges(std::vector<char>& is_open);
   void findBorders();
   void checkOrientability();
   void sumUp();
@@ -132,54 +131,18 @@ void Census::countDuplicates() {
   }
 }
 
-void Census::joinFans() {
-  for (Index edge = 0; edge < edges_.edgeCount(); ++edge) {
-    if (edges_.facesAt(edge) != 2) continue;
-    for (const Index end : endsOf(edge)) {
-      fans_.join(edges_.cornerAt(edges_.halfEdge(edge, 0), end),
-                 edges_.cornerAt(edges_.halfEdge(edge, 1), end));
-    }
-  }
-}
-
 void Census::countVertices() {
-  std::vector<Index> fan_count(edges_.vertexCount(), 0);
-  for (Index corner = 0; corner < edges_.halfEdgeCount(); ++corner)
-    if (fans_.leader(corner) == corner) ++fan_count[edges_.origin(corner)];
-  std::vector<char> at_nonmanifold_edge(edges_.vertexCount(), 0);
-  for (Index edge = 0; edge < edges_.edgeCount(); ++edge) {
-    if (edges_.facesAt(edge) <= 2) continue;
-    for (const Index end : endsOf(edge)) at_nonmanifold_edge[end] = 1;
-  }
+  const std::vector<VertexFault> faults = vertexFaults(edges_, fans_);
   for (Index v = 0; v < edges_.vertexCount(); ++v) {
-    const bool is_bow_tie = at_nonmanifold_edge[v] == 0 && fan_count[v] > 1;
-    if (is_bow_tie) ++result_.bow_tie_vertices;
-    if (is_bow_tie || at_nonmanifold_edge[v] != 0) ++componentOf(v).nonmanifold_vertices;
+    if (faults[v] == VertexFault::BowTie) ++result_.bow_tie_vertices;
+    if (faults[v] != VertexFault::None) ++componentOf(v).nonmanifold_vertices;
   }
 }
 
-/// Border edges joined where one fan has both; a fan that ends on a non-manifold edge leaves its border edge
-/// open.
-DisjointSets Census::joinBorderEdges(std::vector<char>& is_open) {
-  DisjointSets joined(static_cast<std::size_t>(edges_.edgeCount()));
-  std::vector<Index> waiting(edges_.halfEdgeCount(), kNone);  // border edge of a fan that lacks the other
-  for (Index edge = 0; edge < edges_.edgeCount(); ++edge) {
-    if (edges_.facesAt(edge) != 1) continue;
-    for (const Index end : endsOf(edge)) {
-      Index& other = waiting[fans_.leader(edges_.cornerAt(edges_.halfEdge(edge, 0), end))];
-      if (other != kNone) joined.join(other, edge);
-      other = other == kNone ? edge : kNone;
-    }
-  }
-  is_open.assign(edges_.edgeCount(), 0);
-  for (const Index edge : waiting)
-    if (edge != kNone) is_open[joined.leader(edge)] = 1;
-  return joined;
-}
-
+/// A fan that ends on a non-manifold edge leaves its border open.
 void Census::findBorders() {
   std::vector<char> is_open;
-  DisjointSets joined = joinBorderEdges(is_open);
+  DisjointSets joined = joinBorderEdges(edges_, fans_, is_open);
   std::vector<Index> border_of(edges_.edgeCount(), kNone);  // of leaders, which come first
   for (Index edge = 0; edge < edges_.edgeCount(); ++edge) {
     if (edges_.facesAt(edge) != 1) continue;
@@ -264,25 +227,6 @@ Index countDegenerate(const std::vector<Vec3>& vertices, const std::vector<Trian
   }));
 }
 
-/// Per axis, a value to subtract from every coordinate of them without rounding error, that brings them near
-/// to 0: the middle, where all are within half and double of it (Sterbenz), else 0.
-Vec3 exactOrigin(const std::vector<Vec3>& positions) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : positions)
-    if (position.allFinite()) box.extend(position);
-  Vec3 origin = Vec3::Zero();
-  if (box.isEmpty()) return origin;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.min()[axis], high = box.max()[axis], middle = low + (high - low) / 2;
-    const double nearest = std::min(std::abs(low), std::abs(high));
-    const double farthest = std::max(std::abs(low), std::abs(high));
-    const bool is_exact =
-        low * high > 0 && nearest >= std::abs(middle) / 2 && farthest / 2 <= std::abs(middle);
-    if (is_exact) origin[axis] = middle;
-  }
-  return origin;
-}
-
 }  // namespace
 
 std::optional<Index> ComponentTopology::genus() const {
@@ -306,9 +250,7 @@ MeshTopology meshTopology(const std::vector<Vec3>& vertices, const std::vector<T
 
 std::int64_t countSelfIntersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                     const core::Context& context) {
-  const Vec3 origin = exactOrigin(vertices);
-  std::vector<Vec3> positions(vertices);
-  for (Vec3& position : positions) position -= origin;
+  const std::vector<Vec3> positions = movedNearOrigin(vertices);
   const std::vector<Triangle> faces = facesWithThreeCorners(triangles, static_cast<Index>(vertices.size()));
   return core::SelfIntersections(positions, faces, context).count();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mlsmesh/parameters.h"
+#include "common/reconstruction_options.h"
 
 #include <filesystem>
 #include <string>
@@ -12,19 +12,14 @@ inline constexpr const char* kProgram = "mlsmesh_reconstruct";
 
 enum class Action { Reconstruct, Print };
 
-/// What the user asked for: the preset, then the config file, then the command line, each over what came
-/// before.
-struct Options {
+/// What the user asked for.
+struct Options : ReconstructionOptions {
   Action action = Action::Reconstruct;
   std::string text;  ///< to print, with Action::Print (help, version, lists)
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path config;  ///< empty if none
   std::filesystem::path json;    ///< empty if none
-  std::string preset = "default";
-  MultiresolutionParameters parameters;
-  int threads = 0;  ///< 0 = all
-  bool all_levels = false;
   bool quiet = false;
 };
 

@@ -5,6 +5,7 @@
 #include "common/atomic_output.h"
 #include "common/cloud_columns.h"
 #include "common/cloud_io.h"
+#include "common/cloud_reconstruction.h"
 #include "common/interrupt.h"
 #include "common/mesh_io.h"
 #include "common/progress_bar.h"
@@ -63,18 +64,6 @@ void checkOutputs(const Options& options) {
   }
 }
 
-void reconstructCloud(const pcl::PCLPointCloud2& cloud, const Options& options, core::Context& context,
-                      RunReport& report) {
-  const Stopwatch stopwatch;
-  context.progress.enterStage("prepare", 0.02);
-  core::StoredAs stored_as = core::StoredAs::Float;
-  std::vector<core::Vec3> positions = worldPositions(cloud, stored_as);
-  core::PointSet points = core::makePointSet(std::move(positions), stored_as, nullptr, context);
-  report.stages.push_back({"prepare", stopwatch.seconds()});
-  report.result = core::reconstruct(std::move(points), nullptr, options.parameters, context);
-  report.stages.insert(report.stages.end(), report.result.stages.begin(), report.result.stages.end());
-}
-
 /// The error of a computation that failed, after the name of the input.
 AppError failureOf(const Options& options, const Status& status) {
   const int exit_code = status.code == StatusCode::InvalidParameter ? kExitUsage : kExitFailure;
@@ -128,7 +117,9 @@ RunReport run(const Options& options) {
   report.stages.push_back({"read", reading.seconds()});
   InterruptGuard::check();
 
-  const Status status = core::guarded([&] { reconstructCloud(cloud, options, context, report); });
+  const Status status =
+      core::guarded([&] { report.result = reconstructCloud(cloud, options.parameters, context); });
+  report.stages.insert(report.stages.end(), report.result.stages.begin(), report.result.stages.end());
   InterruptGuard::check();
   if (!status.ok()) throw failureOf(options, status);
   for (const std::string& warning : context.warnings) {

@@ -1,45 +1,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/app_error.h"
 #include "common/atomic_output.h"
+#include "common/virtual_display.h"
+#include "drawing/shape_file.h"
 #include "mlsmesh/version.h"
 #include "view/view_options.h"
-#include "view/virtual_display.h"
 #include "view/window.h"
 
 #include <vtkObject.h>
 
 #include <iostream>
+#include <memory>
 #include <optional>
 
 namespace {
 
 using namespace mlsmesh;
 
+/// Before any work: every picture that is asked for can be written.
+void checkPictures(const apps::ViewOptions& options) {
+  if (!options.screenshot.empty()) apps::checkWritable(options.screenshot);
+  for (const apps::ScriptStep& step : options.script)
+    if (!step.argument.empty()) apps::checkWritable(step.argument);
+}
+
+/// The cloud that --cloud names, or else the only one among the files.
+std::shared_ptr<const apps::Shape> cloudToCompareWith(const std::vector<apps::Subject>& subjects,
+                                                      const apps::ViewOptions& options) {
+  if (!options.cloud.empty()) return std::make_shared<apps::Shape>(apps::readShape(options.cloud).shape);
+  std::shared_ptr<const apps::Shape> cloud;
+  int clouds = 0;
+  for (const apps::Subject& subject : subjects) {
+    if (!subject.isCloud()) continue;
+    ++clouds;
+    cloud = subject.sharedCloud();
+  }
+  return clouds == 1 ? cloud : nullptr;
+}
+
+std::vector<apps::Subject> readSubjects(const apps::ViewOptions& options) {
+  std::vector<apps::Subject> subjects;
+  for (const std::filesystem::path& file : options.files) subjects.emplace_back(file);
+  const std::shared_ptr<const apps::Shape> cloud = cloudToCompareWith(subjects, options);
+  for (apps::Subject& subject : subjects)
+    if (!subject.isCloud() && cloud) subject.useCloud(cloud);
+  return subjects;
+}
+
 void view(const apps::ViewOptions& options) {
   vtkObject::GlobalWarningDisplayOff();
-  const bool is_picture = !options.screenshot.empty();
-  if (is_picture) apps::checkWritable(options.screenshot);
-  std::vector<apps::Drawing> drawings;
-  for (const std::filesystem::path& file : options.files) drawings.push_back(apps::readDrawing(file));
+  checkPictures(options);
+  std::vector<apps::Subject> subjects = readSubjects(options);
   std::optional<apps::VirtualDisplay> display;
-  if (!apps::isDisplayUsable()) {
-    if (!is_picture) {
+  const bool has_display = apps::isDisplayUsable();
+  if (!has_display) {
+    if (options.screenshot.empty() && options.script.empty()) {
       throw apps::AppError(
           apps::kExitFailure,
           "DISPLAY: no X display to open a window on; set it, or make a picture with --screenshot FILE.png");
     }
     display.emplace();
   }
-  if (is_picture)
-    apps::writeScreenshot(drawings, options);
+  if (options.screenshot.empty())
+    apps::showWindow(subjects, options, !has_display);
   else
-    apps::showWindow(drawings, options);
+    apps::writeScreenshot(subjects, options);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return apps::runProgram("mlsmesh_view", [&] {
+  return apps::runProgram(apps::kViewProgram, [&] {
     const apps::ViewOptions options = apps::readViewOptions(argc, argv);
     if (options.help)
       std::cout << apps::viewHelp();

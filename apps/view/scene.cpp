@@ -1,202 +1,235 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/scene.h"
 
+#include "common/camera_fit.h"
+#include "drawing/marks.h"
+#include "drawing/poly_data.h"
+#include "mlsmesh/core/failure.h"
+
 #include <vtkBoundingBox.h>
-#include <vtkCoordinate.h>
-#include <vtkFeatureEdges.h>
-#include <vtkLightKit.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkShaderProperty.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace mlsmesh::apps {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-constexpr double kViewAngle = 25.0;  // degrees
-constexpr double kMargin = 1.08;     // of the scene's extent on the screen
-constexpr double kDotShare = 1.5;
+constexpr double kRoomForLabels = 0.9;  // of a pane, for what is drawn
+constexpr int kFinest = std::numeric_limits<int>::max();
 
-vtkSmartPointer<vtkActor> makeSurface(const Drawing& drawing, const ViewOptions& options, double pixels) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(drawing.data);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  vtkProperty& look = *actor->GetProperty();
-  look.SetColor(0.62, 0.70, 0.80);
-  look.SetSpecular(0.2);
-  look.SetSpecularPower(25.0);
-  look.SetEdgeColor(0.2, 0.23, 0.27);
-  look.SetInterpolationToPhong();
-  if (drawing.is_mesh) {
-    if (options.flat) look.SetInterpolationToFlat();
-    look.SetEdgeVisibility(options.edges);
-    if (options.wireframe) look.SetRepresentationToWireframe();
-    return actor;
-  }
-  // Dots as wide as the points are apart on the screen, so that a cloud looks like its surface.
-  const auto count = static_cast<double>(drawing.data->GetNumberOfVerts());
-  look.SetPointSize(static_cast<float>(std::clamp(kDotShare * pixels / std::sqrt(count), 2.0, 12.0)));
-  if (drawing.data->GetPointData()->GetNormals() == nullptr) return actor;
-  // Their normals have no side, so they are turned towards the viewer.
-  actor->GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Normal::Impl", true,
-      "//VTK::Normal::Impl\n  if (normalVCVSOutput.z < 0.0) normalVCVSOutput = -normalVCVSOutput;\n", false);
-  return actor;
+/// Pixels that a pane is wide and high when all are shown.
+double paneExtent(const ViewOptions& options) {
+  const auto [columns, rows] = paneGrid(options.files.size());
+  return std::min(static_cast<double>(options.size[0]) / columns,
+                  static_cast<double>(options.size[1]) / rows);
 }
 
-vtkSmartPointer<vtkActor> makeBorders(const Drawing& drawing) {
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(drawing.data);
-  edges->BoundaryEdgesOn();
-  edges->FeatureEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->NonManifoldEdgesOn();
-  edges->ColoringOff();
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(edges->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.95, 0.35, 0.05);
-  actor->GetProperty()->SetLineWidth(4.0F);
-  actor->GetProperty()->LightingOff();
-  return actor;
+/// The next of 1, 2, 5, 10, ... times a power of ten.
+double roundedUp(double value) {
+  if (!(value > 0)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (value <= step * power * (1 + 1e-9)) return step * power;
+  return 10 * power;
 }
 
-vtkSmartPointer<vtkTextActor> makeLabel(const std::string& title, double pixels) {
-  auto label = vtkSmartPointer<vtkTextActor>::New();
-  label->SetInput(title.c_str());
-  label->GetTextProperty()->SetColor(0.2, 0.2, 0.25);
-  label->GetTextProperty()->SetFontSize(std::clamp(static_cast<int>(pixels / 34.0), 9, 28));
-  label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  label->SetPosition(0.02, 0.02);
-  return label;
+/// Where all of a subject is.
+const std::vector<core::Vec3>& extentOf(const Subject& subject) {
+  return subject.isCloud() ? subject.cloud()->points : subject.level(0).points;
 }
 
 }  // namespace
 
-Scene::Scene(const std::vector<Drawing>& drawings, const ViewOptions& options, vtkRenderWindow& window)
-    : options_(options), window_(window), camera_(vtkSmartPointer<vtkCamera>::New()) {
-  const auto [columns, rows] = paneGrid(drawings.size());
-  columns_ = columns;
-  rows_ = rows;
+Scene::Scene(std::vector<Subject>& subjects, const ViewOptions& options, vtkRenderWindow& window)
+    : options_(options),
+      window_(window),
+      subjects_(subjects),
+      camera_(vtkSmartPointer<vtkCamera>::New()),
+      colors_(valueColors(1.0)),
+      overlay_(window, fontSize(std::min(options.size[0], options.size[1]))),
+      mode_(options.mode),
+      level_(options.level.value_or(kFinest)) {
+  look_.surface = options.look;
+  look_.borders = options.borders;
+  look_.labels = options.labels;
+  columns_ = paneGrid(subjects.size())[0];
+  rows_ = paneGrid(subjects.size())[1];
   // Behind all panes, for the places that none of them takes.
   const auto backdrop = vtkSmartPointer<vtkRenderer>::New();
   backdrop->SetBackground(1.0, 1.0, 1.0);
   backdrop->InteractiveOff();
   window_.AddRenderer(backdrop);
-  for (const Drawing& drawing : drawings) panes_.push_back(makePane(drawing));
-  placeCamera(drawings);
-  showAll();
+  for (Subject& subject : subjects)
+    panes_.emplace_back(subject, *colors_, paneExtent(options), *camera_, window_);
+  on_render_->SetClientData(this);
+  on_render_->SetCallback(onRender);
+  window_.AddObserver(vtkCommand::StartEvent, on_render_);
+  placePanes();
+  fit();
+  refresh();
 }
 
-double Scene::paneExtent() const {
-  return std::min(static_cast<double>(options_.size[0]) / columns_,
-                  static_cast<double>(options_.size[1]) / rows_);
+Scene::~Scene() {
+  window_.RemoveObserver(on_render_);
 }
 
-Scene::Pane Scene::makePane(const Drawing& drawing) {
-  Pane pane;
-  pane.renderer = vtkSmartPointer<vtkRenderer>::New();
-  pane.renderer->SetActiveCamera(camera_);
-  pane.renderer->SetBackground(1.0, 1.0, 1.0);
-  pane.renderer->SetBackground2(0.88, 0.91, 0.95);
-  pane.renderer->GradientBackgroundOn();
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(1.0);
-  lights->SetKeyLightWarmth(0.52);
-  lights->AddLightsToRenderer(pane.renderer);
-  pane.surface = makeSurface(drawing, options_, paneExtent());
-  pane.renderer->AddActor(pane.surface);
-  if (drawing.is_mesh) {
-    pane.borders = makeBorders(drawing);
-    pane.borders->SetVisibility(options_.borders);
-    pane.renderer->AddActor(pane.borders);
-  }
-  if (options_.labels) pane.renderer->AddActor2D(makeLabel(drawing.title, paneExtent()));
-  window_.AddRenderer(pane.renderer);
-  return pane;
+/// The camera moves for one pane, but all are to be within its range.
+void Scene::onRender(vtkObject*, unsigned long, void* scene, void*) {
+  static_cast<Scene*>(scene)->resetClipping();
 }
 
-void Scene::placeCamera(const std::vector<Drawing>& drawings) {
+void Scene::resetClipping() {
   vtkBoundingBox box;
-  for (const Drawing& drawing : drawings) box.AddBounds(drawing.data->GetBounds());
-  std::array<double, 3> center{};
-  box.GetCenter(center.data());
-  const Eigen::Vector3d focus(center.data());
-  const Eigen::Vector3d from = Eigen::Vector3d(options_.from.data()).normalized();
-  const double distance = fittingDistance(drawings, focus, from) / options_.zoom;
-  const Eigen::Vector3d position = focus + distance * from;
-  camera_->SetViewAngle(kViewAngle);
-  camera_->SetFocalPoint(focus.data());
-  camera_->SetPosition(position.data());
-  camera_->SetViewUp(options_.up.data());
+  for (const Pane& pane : panes_) {
+    std::array<double, 6> bounds{};
+    pane.renderer().ComputeVisiblePropBounds(bounds.data());
+    if (bounds[0] <= bounds[1]) box.AddBounds(bounds.data());
+  }
+  if (!box.IsValid()) return;
   std::array<double, 6> bounds{};
   box.GetBounds(bounds.data());
-  for (const Pane& pane : panes_) pane.renderer->ResetCameraClippingRange(bounds.data());
+  panes_.front().renderer().ResetCameraClippingRange(bounds.data());
 }
 
-double Scene::fittingDistance(const std::vector<Drawing>& drawings, const Eigen::Vector3d& focus,
-                              const Eigen::Vector3d& from) const {
-  const Eigen::Vector3d right = Eigen::Vector3d(options_.up.data()).cross(from).normalized();
-  const Eigen::Vector3d up = from.cross(right);
-  const double aspect =
-      (static_cast<double>(options_.size[0]) / columns_) / (static_cast<double>(options_.size[1]) / rows_);
-  const double slope = std::tan(0.5 * kViewAngle * kPi / 180.0) / kMargin;
-  double distance = 0.0;
-  for (const Drawing& drawing : drawings) {
-    for (vtkIdType i = 0; i < drawing.data->GetNumberOfPoints(); ++i) {
-      const Eigen::Vector3d place = Eigen::Vector3d(drawing.data->GetPoint(i)) - focus;
-      const double needed =
-          std::max(std::abs(place.dot(up)), std::abs(place.dot(right)) / aspect) / slope + place.dot(from);
-      if (std::isfinite(needed)) distance = std::max(distance, needed);
-    }
+void Scene::setMode(Mode mode) {
+  const bool is_fitted = core::Vec3(camera_->GetPosition()) == fitted_position_;
+  mode_ = mode;
+  visited_ = 0;
+  if (is_fitted)
+    fit();
+  else
+    makeRoomForScale();
+  refresh();
+}
+
+double Scene::makeRoomForScale() {
+  constexpr double kShare = 0.15;  // of a pane
+  const double share = mode_ == Mode::Distance ? kShare : 0.0;
+  camera_->SetWindowCenter(share, 0.0);
+  return 1.0 - share;
+}
+
+int Scene::levelCount() const {
+  int count = 0;
+  for (const Subject& subject : subjects_) count = std::max(count, subject.levelCount());
+  return count;
+}
+
+void Scene::stepLevel(int steps) {
+  const int finest = std::max(0, levelCount() - 1);
+  level_ = std::clamp(std::min(level_, finest) + steps, 0, finest);
+  visited_ = 0;
+  refresh();
+}
+
+void Scene::refresh() {
+  setScale();
+  for (Pane& pane : panes_) pane.show(mode_, level_, look_);
+}
+
+void Scene::renew(const Subject& subject, const std::string& notice) {
+  for (Pane& pane : panes_) {
+    if (&pane.subject() != &subject) continue;
+    pane.forget();
+    pane.setNotice(notice);
   }
-  return distance > 0.0 ? distance : 1.0;
+}
+
+/// One scale for all panes: up to what 99 % of the points of each cloud are within, in its spacings.
+void Scene::setScale() {
+  if (mode_ != Mode::Distance) return;
+  double highest = options_.scale;
+  for (Subject& subject : subjects_) {
+    if (options_.scale > 0 || shownMode(subject, mode_) != Mode::Distance) continue;
+    core::guarded([&] {
+      const DistanceMap& map = subject.distances(std::clamp(level_, 0, subject.levelCount() - 1));
+      highest = std::max(highest, roundedUp(map.cloud_to_mesh.p99 / map.spacing));
+    });
+  }
+  if (highest > 0) colors_->SetTableRange(0.0, highest);
+}
+
+void Scene::placePanes() {
+  for (int i = 0; i < paneCount(); ++i) {
+    std::array<double, 4> place{};
+    if (shown_ < 0) {
+      const double column = i % columns_, row = rows_ - 1 - i / columns_;
+      place = {column / columns_, row / rows_, (column + 1) / columns_, (row + 1) / rows_};
+    } else if (i == shown_) {
+      place = {0.0, 0.0, 1.0, 1.0};
+    }
+    panes_[static_cast<std::size_t>(i)].setPlace(place);
+  }
 }
 
 void Scene::showAll() {
   shown_ = -1;
+  placePanes();
+}
+
+void Scene::showOnly(int pane) {
+  shown_ = (pane % paneCount() + paneCount()) % paneCount();
+  placePanes();
+}
+
+void Scene::fit() {
+  std::vector<vtkSmartPointer<vtkPolyData>> kept;
+  std::vector<vtkPoints*> scene;
+  for (const Subject& subject : subjects_) {
+    kept.push_back(pointsOf(extentOf(subject)));
+    scene.push_back(kept.back()->GetPoints());
+  }
+  const double aspect =
+      (static_cast<double>(options_.size[0]) / columns_) / (static_cast<double>(options_.size[1]) / rows_);
+  const double room = makeRoomForScale() * (look_.labels ? kRoomForLabels : 1.0);
+  fitCamera(scene, options_.viewpoint, aspect, room * options_.zoom, *camera_);
+  fitted_position_ = core::Vec3(camera_->GetPosition());
+  camera_->SetParallelScale(camera_->GetDistance() *
+                            std::tan(0.5 * camera_->GetViewAngle() * 3.141592653589793 / 180.0));
+}
+
+void Scene::nextView() {
+  static const std::array<const char*, 7> kViews{"front", "back", "left", "right", "top", "bottom", "iso"};
+  const auto* now = std::find(kViews.begin(), kViews.end(), options_.view);
+  options_.view = now == kViews.end() || now + 1 == kViews.end() ? kViews.front() : *(now + 1);
+  options_.viewpoint = namedViewpoint(options_.view, options_.up);
+  fit();
+}
+
+void Scene::toggleParallel() {
+  camera_->SetParallelProjection(camera_->GetParallelProjection() == 0);
+}
+
+std::vector<core::Vec3> Scene::placesToVisit() const {
+  std::vector<core::Vec3> places;
   for (std::size_t i = 0; i < panes_.size(); ++i) {
-    const int index = static_cast<int>(i);
-    const int row_from_top = index / columns_;
-    const double column = index % columns_;
-    const double row = rows_ - 1 - row_from_top;
-    panes_[i].renderer->SetViewport(column / columns_, row / rows_, (column + 1) / columns_,
-                                    (row + 1) / rows_);
-    panes_[i].renderer->SetDraw(true);
+    Subject& subject = panes_[i].subject();
+    if (subject.levelCount() == 0 || (shown_ >= 0 && static_cast<int>(i) != shown_)) continue;
+    const int level = std::clamp(level_, 0, subject.levelCount() - 1);
+    const std::vector<core::Vec3> found = mode_ == Mode::Borders
+                                              ? placesOf(subject.level(level), subject.borders(level))
+                                              : placesOf(subject.level(level), subject.defects(level));
+    places.insert(places.end(), found.begin(), found.end());
   }
+  return places;
 }
 
-void Scene::showOnly(int drawing) {
-  const int count = static_cast<int>(panes_.size());
-  shown_ = (drawing % count + count) % count;
-  for (int i = 0; i < count; ++i) {
-    panes_[i].renderer->SetDraw(i == shown_);
-    if (i == shown_)
-      panes_[i].renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
-    else
-      panes_[i].renderer->SetViewport(0.0, 0.0, 0.001, 0.001);
-  }
-}
-
-void Scene::toggleBorders() {
-  for (const Pane& pane : panes_) {
-    if (pane.borders != nullptr) pane.borders->SetVisibility(pane.borders->GetVisibility() == 0);
-  }
-}
-
-void Scene::toggleEdges() {
-  for (const Pane& pane : panes_)
-    pane.surface->GetProperty()->SetEdgeVisibility(pane.surface->GetProperty()->GetEdgeVisibility() == 0);
+bool Scene::visitNextPlace() {
+  constexpr double kNearness = 8;  // times nearer than where all is in sight
+  if (mode_ != Mode::Borders && mode_ != Mode::Defects) return false;
+  std::vector<core::Vec3> places;
+  core::guarded([&] { places = placesToVisit(); });
+  if (places.empty()) return false;
+  const core::Vec3 place = places[visited_++ % places.size()];
+  const core::Vec3 direction = core::Vec3(camera_->GetDirectionOfProjection());
+  fit();
+  const core::Vec3 position = place - camera_->GetDistance() / kNearness * direction;
+  camera_->SetFocalPoint(place.data());
+  camera_->SetPosition(position.data());
+  camera_->SetParallelScale(camera_->GetParallelScale() / kNearness);
+  return true;
 }
 
 }  // namespace mlsmesh::apps

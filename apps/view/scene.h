@@ -1,55 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "view/drawing.h"
+#include "view/overlay.h"
+#include "view/pane.h"
+#include "view/subject.h"
 #include "view/view_options.h"
 
-#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace mlsmesh::apps {
 
-/// The drawings in one window, a viewport each, seen by one camera.
+/// The subjects in one window, a pane each, seen by one camera.
 class Scene {
  public:
-  /// Needs a usable display; `window` outlives the scene.
-  Scene(const std::vector<Drawing>& drawings, const ViewOptions& options, vtkRenderWindow& window);
+  /// Needs a usable display; subjects and window outlive the scene.
+  Scene(std::vector<Subject>& subjects, const ViewOptions& options, vtkRenderWindow& window);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
 
-  /// Gives the whole window to one drawing; wraps around. showAll() shares it out again.
-  void showOnly(int drawing);
+  Mode mode() const { return mode_; }
+  void setMode(Mode mode);
+  /// By so many levels finer, within those that there are.
+  void stepLevel(int steps);
+  /// Gives the whole window to one pane; wraps around. showAll() shares it out again.
+  void showOnly(int pane);
   void showAll();
-  /// The drawing that has the window to itself, or -1.
+  /// The pane that has the window to itself, or -1.
   int shown() const { return shown_; }
-  void toggleBorders();
-  void toggleEdges();
+  int paneCount() const { return static_cast<int>(panes_.size()); }
+
+  /// What is to be drawn of surfaces, dots and labels; refresh() draws it.
+  PaneLook& look() { return look_; }
+  /// All panes anew, after the subjects or the look changed.
+  void refresh();
+  /// Forgets what was drawn of that subject, and shows `notice` in its pane unless it is empty.
+  void renew(const Subject& subject, const std::string& notice);
+
+  /// All in sight, from where the options say, or the last view that was chosen.
+  void fit();
+  void nextView();
+  void toggleParallel();
+  /// Brings the camera near to the next defect or border of the panes, where such are shown; false if there
+  /// is none.
+  bool visitNextPlace();
+
+  Overlay& overlay() { return overlay_; }
+  vtkRenderWindow& window() { return window_; }
 
  private:
-  struct Pane {
-    vtkSmartPointer<vtkRenderer> renderer;
-    vtkSmartPointer<vtkActor> surface;
-    vtkSmartPointer<vtkActor> borders;  ///< null for a cloud
-  };
-  Pane makePane(const Drawing& drawing);
-  void placeCamera(const std::vector<Drawing>& drawings);
-  /// How far from `focus`, in direction `from`, the camera sees every point of all drawings in a pane.
-  double fittingDistance(const std::vector<Drawing>& drawings, const Eigen::Vector3d& focus,
-                         const Eigen::Vector3d& from) const;
-  /// Pixels that a viewport is wide and high when all are shown.
-  double paneExtent() const;
+  int levelCount() const;
+  void setScale();
+  /// Moves the scene aside where a scale is shown; returns the share of a pane that is left for it.
+  double makeRoomForScale();
+  void placePanes();
+  void resetClipping();
+  std::vector<core::Vec3> placesToVisit() const;
+  static void onRender(vtkObject* caller, unsigned long event, void* scene, void* data);
 
   ViewOptions options_;
   vtkRenderWindow& window_;
-  std::vector<Pane> panes_;
+  std::vector<Subject>& subjects_;
   vtkSmartPointer<vtkCamera> camera_;
+  vtkSmartPointer<vtkLookupTable> colors_;
+  std::vector<Pane> panes_;
+  Overlay overlay_;
+  vtkNew<vtkCallbackCommand> on_render_;
+  PaneLook look_;
+  core::Vec3 fitted_position_{0, 0, 0};  ///< of the camera, since fit()
+  Mode mode_;
+  int level_;  ///< may be finer than any that there is
   int columns_ = 1;
   int rows_ = 1;
   int shown_ = -1;
+  std::size_t visited_ = 0;
 };
 
 }  // namespace mlsmesh::apps

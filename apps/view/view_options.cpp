@@ -2,9 +2,11 @@
 #include "view/view_options.h"
 
 #include "common/command_line.h"
-#include "common/file_bytes.h"
+#include "drawing/picture.h"
+#include "view/keys.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -16,12 +18,19 @@ namespace po = boost::program_options;
 constexpr int kMaxSide = 16384;
 constexpr int kPaneSide = 800;
 constexpr int kMaxPanesPerRow = 4;
+constexpr unsigned kHelpWidth = 100;
 
-po::options_description describeOptions() {
+po::options_description drawingOptions() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  po::options_description options("Options (-name value or --name=value)");
+  po::options_description options("Options (-name value or --name=value)", kHelpWidth);
   auto add = options.add_options();
+  add("show", text("MODE"),
+      "cloud, clusters, representatives, mesh, borders, defects or distance (default: what a file is)");
+  add("level", text("N"), "level of a reconstruction that is shown, 0 = coarsest (default: finest)");
+  add("cloud", text("FILE"), "what distances are measured to (default: the cloud among the files)");
+  add("scale", text("X"), "spacings at the dark end of the scale of distances (default: by the meshes)");
   add("screenshot", text("FILE"), "write a PNG picture instead of opening a window; needs no display");
+  add("script", text("KEYS"), "press keys, between commas; p=FILE writes a picture, wait waits for meshes");
   add("size", text("WxH"), "pixels of window or picture (default 800 x 800 a file)");
   add("view", text("NAME"), "front, back, left, right, top, bottom or iso (default iso)");
   add("up", text("AXIS"), "x, y or z points up (default y)");
@@ -29,16 +38,25 @@ po::options_description describeOptions() {
   add("flat", po::bool_switch(), "one shade a triangle, instead of smooth shading");
   add("edges", po::bool_switch(), "draw the edges of the triangles on them");
   add("wireframe", po::bool_switch(), "draw the edges alone");
-  add("borders", po::bool_switch(), "highlight borders and edges of more than two triangles");
+  add("borders", po::bool_switch(), "draw borders also where meshes are shown");
   add("no-labels", po::bool_switch(), "leave out file names and counts");
   add("help,h", po::bool_switch(), "this text");
   add("version", po::bool_switch(), "the version");
   return options;
 }
 
+po::options_description makingOptions() {
+  po::options_description options("How clouds are reconstructed (as mlsmesh_reconstruct takes it)",
+                                  kHelpWidth);
+  addReconstructionOptions(options);
+  return options;
+}
+
 po::variables_map parse(int argc, const char* const* argv) {
-  po::options_description all = describeOptions();
+  po::options_description all = drawingOptions();
   all.add_options()("files", po::value<std::vector<std::string>>());
+  addReconstructionOptions(all);
+  addParameterOptions(all);
   po::positional_options_description positions;
   positions.add("files", -1);
   return parseCommandLine(argc, argv, all, positions);
@@ -65,38 +83,44 @@ std::array<int, 2> defaultSize(std::size_t files) {
   return {std::min(columns * kPaneSide, kMaxSide), std::min(rows * kPaneSide, kMaxSide)};
 }
 
-/// Sets where the camera stands, in axes right, up, towards the viewer, then turned so that the third is
-/// `up`.
-void setDirection(const std::string& view, const std::string& up, ViewOptions& options) {
-  struct Named {
-    const char* name;
-    std::array<double, 3> from;
-    std::array<double, 3> up;
-  };
-  static const std::array<Named, 7> views{{{"front", {0, 0, 1}, {0, 1, 0}},
-                                           {"back", {0, 0, -1}, {0, 1, 0}},
-                                           {"left", {-1, 0, 0}, {0, 1, 0}},
-                                           {"right", {1, 0, 0}, {0, 1, 0}},
-                                           {"top", {0, 1, 0}, {0, 0, -1}},
-                                           {"bottom", {0, -1, 0}, {0, 0, 1}},
-                                           {"iso", {0.62, 0.38, 1}, {0, 1, 0}}}};
-  const auto* found =
-      std::find_if(views.begin(), views.end(), [&](const Named& named) { return view == named.name; });
-  if (found == views.end()) {
-    throw usageError("--view", "'" + view + "' is none of front, back, left, right, top, bottom, iso");
-  }
-  if (up != "x" && up != "y" && up != "z") throw usageError("--up", "'" + up + "' is none of x, y, z");
-  const int shift = up[0] - 'y' + 3;
-  for (int i = 0; i < 3; ++i) {
-    options.from[(i + shift) % 3] = found->from[i];
-    options.up[(i + shift) % 3] = found->up[i];
-  }
+double rangedNumber(const std::string& name, const std::string& text, double low, double high,
+                    const char* range) {
+  const double value = numberFromText(name, text);
+  if (value >= low && value <= high) return value;
+  throw usageError(name, "'" + text + "' is out of range; give " + range);
 }
 
-double zoomFromText(const std::string& text) {
-  const double zoom = numberFromText("--zoom", text);
-  if (zoom >= 0.01 && zoom <= 100.0) return zoom;
-  throw usageError("--zoom", "'" + text + "' is out of range; give 0.01 .. 100");
+/// Of a reconstruction with so many refinement steps.
+int levelFromText(const std::string& text, int steps) {
+  const double level = numberFromText("--level", text);
+  if (level >= 0 && level <= steps && level == std::floor(level)) return static_cast<int>(level);
+  throw usageError("--level", "'" + text + "' is no level; there are 0 .. " + std::to_string(steps) +
+                                  ", and more with --levels");
+}
+
+void setPicture(const po::variables_map& values, ViewOptions& options) {
+  options.screenshot = textOf(values, "screenshot", "");
+  if (values.count("screenshot") > 0) checkPictureFormat("--screenshot", options.screenshot);
+  if (values.count("script") > 0) options.script = parseScript(textOf(values, "script", ""));
+  options.size =
+      values.count("size") > 0 ? sizeFromText(textOf(values, "size", "")) : defaultSize(options.files.size());
+  options.view = textOf(values, "view", "iso");
+  options.up = textOf(values, "up", "y");
+  options.viewpoint = namedViewpoint(options.view, options.up);
+  options.zoom = rangedNumber("--zoom", textOf(values, "zoom", "1"), 0.01, 100.0, "0.01 .. 100");
+}
+
+void setLook(const po::variables_map& values, ViewOptions& options) {
+  options.look = {values["flat"].as<bool>(), values["edges"].as<bool>(), values["wireframe"].as<bool>()};
+  options.borders = values["borders"].as<bool>();
+  options.labels = !values["no-labels"].as<bool>();
+  if (values.count("show") > 0) options.mode = modeNamed(textOf(values, "show", ""));
+  if (values.count("level") > 0) {
+    options.level =
+        levelFromText(textOf(values, "level", ""), options.reconstruction.parameters.refinement.levels);
+  }
+  if (values.count("scale") > 0)
+    options.scale = rangedNumber("--scale", textOf(values, "scale", ""), 1e-9, 1e9, "1e-9 .. 1e9");
 }
 
 }  // namespace
@@ -116,30 +140,23 @@ ViewOptions readViewOptions(int argc, const char* const* argv) {
   if (values.count("files") == 0) throw usageError("arguments", "no file to look at; see --help");
   for (const std::string& file : values["files"].as<std::vector<std::string>>())
     options.files.emplace_back(file);
-  options.screenshot = textOf(values, "screenshot", "");
-  if (values.count("screenshot") > 0 && extensionOf(options.screenshot) != "png") {
-    throw usageError("--screenshot", "'" + options.screenshot.string() +
-                                         "' is not a PNG file; give a name that ends in .png");
-  }
-  options.size =
-      values.count("size") > 0 ? sizeFromText(textOf(values, "size", "")) : defaultSize(options.files.size());
-  setDirection(textOf(values, "view", "iso"), textOf(values, "up", "y"), options);
-  options.zoom = zoomFromText(textOf(values, "zoom", "1"));
-  options.flat = values["flat"].as<bool>();
-  options.edges = values["edges"].as<bool>();
-  options.wireframe = values["wireframe"].as<bool>();
-  options.borders = values["borders"].as<bool>();
-  options.labels = !values["no-labels"].as<bool>();
+  options.cloud = textOf(values, "cloud", "");
+  options.reconstruction = reconstructionOptions(values);
+  setPicture(values, options);
+  setLook(values, options);
   return options;
 }
 
 std::string viewHelp() {
   std::ostringstream text;
-  text << "mlsmesh_view FILE... [options]\n\n"
-          "Shows meshes and clouds side by side, with one camera.\n"
-          "Keys: Left and Right one file after the other, a all of them, b borders, g edges of triangles, "
-          "r fits the view, w wireframe, s surface, q ends.\n\n"
-       << describeOptions();
+  text << "Usage: " << kViewProgram
+       << " FILE... [options]\n\n"
+          "Shows meshes and clouds side by side, with one camera. Clouds are reconstructed where what is\n"
+          "shown needs a mesh, and in a window that shows nothing but clouds.\n\n"
+       << drawingOptions() << "\n"
+       << makingOptions()
+       << "\nAll other parameters are options, too: see mlsmesh_reconstruct --list-parameters.\n\nKeys:\n"
+       << keyHelp();
   return text.str();
 }
 

@@ -1,28 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/reconstruction_options.h"
+#include "common/viewpoint.h"
+#include "drawing/layers.h"
+#include "view/modes.h"
+#include "view/script.h"
+
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mlsmesh::apps {
+
+inline constexpr const char* kViewProgram = "mlsmesh_view";
 
 /// What the command line of mlsmesh_view asks for.
 struct ViewOptions {
   bool help = false;     ///< nothing but the help text
   bool version = false;  ///< nothing but the version
   std::vector<std::filesystem::path> files;
+  std::filesystem::path cloud;       ///< to compare meshes with; empty: the cloud among the files, if one
   std::filesystem::path screenshot;  ///< empty: a window
-  std::array<int, 2> size{0, 0};     ///< pixels; 0: by the number of files
-  std::array<double, 3> from{};      ///< direction from the middle of the scene to the camera
-  std::array<double, 3> up{};
+  std::vector<ScriptStep> script;    ///< keys that press themselves
+  std::array<int, 2> size{0, 0};     ///< pixels
+  std::string view;                  ///< name of the viewpoint
+  std::string up;                    ///< axis that points up
+  Viewpoint viewpoint;               ///< what the two stand for
   double zoom = 1.0;
-  bool flat = false;
-  bool edges = false;
-  bool wireframe = false;
-  bool borders = false;
+  Mode mode = Mode::Auto;
+  std::optional<int> level;  ///< none: the finest
+  double scale = 0.0;        ///< spacings at the dark end of the scale of distances; 0: by the meshes
+  SurfaceLook look;
+  bool borders = false;  ///< also where meshes are shown
   bool labels = true;
+  ReconstructionOptions reconstruction;
 };
 
 /// Columns and rows of the panes in which so many files, at least one, are shown.

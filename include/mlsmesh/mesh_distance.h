@@ -38,6 +38,15 @@ struct CloudDistances {
 CloudDistances measureCloud(const std::vector<core::Vec3>& points, const SoupView& mesh, std::size_t samples,
                             const core::Context& context);
 
+/// Distance of each point, which must be finite, from the nearest triangle of a mesh that has one: what the
+/// statistics are of, for pictures of it. Throws core::Failure: NoTriangles, Cancelled.
+std::vector<double> distancesFromMesh(const std::vector<core::Vec3>& points, const SoupView& mesh,
+                                      const core::Context& context);
+/// Distance of each place from the nearest point of the cloud, which has one; all must be finite. Throws
+/// core::Failure: EmptyInput, Cancelled.
+std::vector<double> distancesFromCloud(const std::vector<core::Vec3>& places,
+                                       const std::vector<core::Vec3>& cloud, const core::Context& context);
+
 /// How much of two surfaces lies within a distance of one another.
 struct FScore {
   double tolerance = 0;         ///< as a share of the true surface's diagonal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view/virtual_display.h"
+#include "common/virtual_display.h"
 
 #include "common/app_error.h"
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "drawing/distance_map.h"
+#include "drawing/shape.h"
+#include "mlsmesh/mesh_defects.h"
+
+#include <pcl/PCLPointCloud2.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mlsmesh::apps {
+
+/// A file, and what was made of it: a mesh, or a cloud and its reconstruction.
+class Subject {
+ public:
+  /// Reads the file; prints a warning if something is left out. Throws AppError that names it.
+  explicit Subject(const std::filesystem::path& file);
+
+  const std::filesystem::path& file() const { return file_; }
+  std::string name() const { return file_.filename().string(); }
+  bool isCloud() const { return is_cloud_; }
+  bool isReconstructed() const { return is_cloud_ && !levels_.empty(); }
+
+  /// Of a cloud, to be reconstructed.
+  const pcl::PCLPointCloud2& fields() const { return fields_; }
+  /// Of a cloud: takes its levels (in the colours of the cloud), clusters and representatives from the
+  /// result. Throws core::Failure.
+  void setReconstruction(const core::Reconstruction& reconstruction);
+
+  /// What distances are measured to: of a cloud itself; of a mesh what useCloud() was given, or null.
+  const Shape* cloud() const { return cloud_.get(); }
+  /// The cloud() ready to be drawn, with normals for its shading; kept.
+  vtkPolyData* drawnCloud();
+  void useCloud(std::shared_ptr<const Shape> cloud);
+  std::shared_ptr<const Shape> sharedCloud() const { return cloud_; }
+
+  /// 1 for a mesh, 0 for a cloud that was not reconstructed.
+  int levelCount() const { return static_cast<int>(levels_.size()); }
+  const Shape& level(int level) const { return levels_.at(static_cast<std::size_t>(level)).mesh; }
+  /// Empty unless reconstructed.
+  const Shape& clusters() const { return clusters_; }
+  const Shape& representatives() const { return representatives_; }
+  double spacing() const { return spacing_; }
+
+  // Of a level: found when first asked for, then kept. Throw core::Failure.
+  const MeshDefects& defects(int level);
+  const std::vector<BorderEdges>& borders(int level);
+  /// Needs a cloud().
+  const DistanceMap& distances(int level);
+
+ private:
+  struct Level {
+    Shape mesh;
+    std::unique_ptr<MeshDefects> defects;
+    std::unique_ptr<std::vector<BorderEdges>> borders;
+    std::unique_ptr<DistanceMap> distances;
+  };
+  Level& at(int level) { return levels_.at(static_cast<std::size_t>(level)); }
+
+  std::filesystem::path file_;
+  bool is_cloud_ = false;
+  pcl::PCLPointCloud2 fields_;
+  std::shared_ptr<const Shape> cloud_;
+  vtkSmartPointer<vtkPolyData> drawn_cloud_;
+  std::vector<Level> levels_;
+  Shape clusters_;
+  Shape representatives_;
+  double spacing_ = 0;
+};
+
+}  // namespace mlsmesh::apps
