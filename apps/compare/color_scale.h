@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+namespace mlsmesh::apps {
+
+/// Red, green, blue, 0 .. 255.
+using Rgb = std::array<int, 3>;
+
+/// The colour of a share 0 .. 1 of a scale (clamped), from dark to light so that it can be read without
+/// colour vision, too: viridis, by S. van der Walt and N. Smith (public domain).
+Rgb scaleColor(double share);
+
+/// Spacings at the end of the scales of the two maps of distances; beyond it the last colour goes on.
+inline constexpr double kCloudToMeshEnd = 2;
+inline constexpr double kMeshToCloudEnd = 5;
+
+/// What is marked on a mesh; each also differs in width or shape.
+struct MarkColors {
+  static constexpr Rgb kFront{205, 210, 217};
+  static constexpr Rgb kBack{126, 134, 146};
+  static constexpr Rgb kBorder{213, 94, 0};
+  static constexpr Rgb kMisoriented{0, 84, 166};
+  static constexpr Rgb kNonManifold{0, 0, 0};
+  static constexpr Rgb kIntersecting{204, 121, 167};
+};
+
+}  // namespace mlsmesh::apps
