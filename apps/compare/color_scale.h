@@ -18,8 +18,8 @@ inline constexpr double kMeshToCloudEnd = 5;
 
 /// What is marked on a mesh; each also differs in width or shape.
 struct MarkColors {
-  static constexpr Rgb kFront{205, 210, 217};
-  static constexpr Rgb kBack{126, 134, 146};
+  static constexpr Rgb kFront{165, 173, 184};
+  static constexpr Rgb kBack{92, 100, 114};
   static constexpr Rgb kBorder{213, 94, 0};
   static constexpr Rgb kMisoriented{0, 84, 166};
   static constexpr Rgb kNonManifold{0, 0, 0};

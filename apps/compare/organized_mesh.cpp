@@ -2,6 +2,7 @@
 #include "compare/peer_input.h"
 #include "compare/reconstructors.h"
 
+#include <pcl/conversions.h>
 #include <pcl/surface/organized_fast_mesh.h>
 
 namespace mlsmesh::apps {
@@ -17,6 +18,7 @@ pcl::PolygonMesh meshOrganized(const MethodInput& input, StageClock& clock) {
   organized.setInputCloud(input.cloud);
   pcl::PolygonMesh mesh;
   organized.reconstruct(mesh);
+  pcl::toPCLPointCloud2(*input.cloud, mesh.cloud);  // it has moved points that are not finite to the origin
   clock.end();
   return mesh;
 }

@@ -31,6 +31,7 @@ th, td { padding: .3rem .55rem; text-align: right; vertical-align: bottom; borde
 tr:last-child > * { border-bottom: 0; }
 thead th { background: var(--band); font-weight: 600; }
 tbody th { text-align: left; font-weight: 600; white-space: nowrap; position: sticky; left: 0; background: var(--ground); }
+thead th[data-text] { text-align: left; }
 thead th:first-child { text-align: left; position: sticky; left: 0; z-index: 1; }
 td.words { text-align: left; min-width: 11em; }
 td.bad { color: var(--bad); font-weight: 700; }

@@ -141,7 +141,8 @@ struct Extent {
   }
 };
 
-std::string axes(const LogAxis& x, const LogAxis& y, const std::string& x_label, const std::string& y_label) {
+std::string axes(const LogAxis& x, const LogAxis& y, const std::string& x_label, const std::string& y_label,
+                 double y_floor) {
   const double right = kWidth - kRight, bottom = kHeight - kBottom;
   std::string svg;
   for (const double tick : x.ticks()) {
@@ -150,7 +151,8 @@ std::string axes(const LogAxis& x, const LogAxis& y, const std::string& x_label,
   }
   for (const double tick : y.ticks()) {
     svg += lineFrom(kLeft, y.place(tick), right, y.place(tick), "grid");
-    svg += textAt(kLeft - 6, y.place(tick) + 4, tickText(tick), "text-anchor=\"end\"");
+    svg += textAt(kLeft - 6, y.place(tick) + 4, (tick <= y_floor ? "≤ " : "") + tickText(tick),
+                  "text-anchor=\"end\"");
   }
   svg += lineFrom(kLeft, bottom, right, bottom, "axis") + lineFrom(kLeft, kTop, kLeft, bottom, "axis");
   svg += textAt((kLeft + right) / 2, kHeight - 10, x_label, "text-anchor=\"middle\"");
@@ -212,7 +214,7 @@ std::string scatterPlot(const std::string& title, const std::string& x_label, co
   if (x_extent.high == 0) return {};
   const LogAxis x(x_extent.low, x_extent.high, kLeft, kWidth - kRight);
   const LogAxis y(y_extent.low, y_extent.high, kHeight - kBottom, kTop);
-  std::string svg = openSvg(title, kHeight) + axes(x, y, x_label, y_label);
+  std::string svg = openSvg(title, kHeight) + axes(x, y, x_label, y_label, y_floor);
   std::string marks, numbers;
   NumberPlaces places;
   for (const Series& one : series) {

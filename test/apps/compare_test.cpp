@@ -116,7 +116,7 @@ class CompareAll : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    const std::string cloud = folder_->write("torus <1>.xyz", xyzText("torus", 900));
+    const std::string cloud = folder_->write("torus <1>.xyz", xyzText("torus", 600));
     truth() = folder_->write("truth.xyz", xyzText("torus", 3000));
     const std::string mesh = folder_->file("truth.ply");
     const TemporaryFolder prints;
@@ -408,7 +408,10 @@ TEST(Compare, InterruptKillsWhatRunsAndLeavesNothing) {
   const Outcome outcome = program.wait();
   expectOneLine(outcome, 130, "interrupted");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"sphere.xyz"}));
-  EXPECT_EQ(std::system(("pgrep -f '" + folder.path().string() + "' > /dev/null").c_str()) == 0, false);
+  // Brackets keep the pattern from finding the shell that looks for it.
+  const std::string pattern =
+      "[" + folder.path().string().substr(0, 1) + "]" + folder.path().string().substr(1);
+  EXPECT_NE(std::system(("pgrep -f '" + pattern + "' > /dev/null").c_str()), 0) << "a worker still runs";
 }
 
 TEST(Compare, NamesWhatIsWrong) {
@@ -451,7 +454,7 @@ TEST(Compare, ExplainsItself) {
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
     EXPECT_NE(page.find(name), std::string::npos) << name;
   }
-  EXPECT_EQ(help.out.find("fault"), std::string::npos);
+  EXPECT_EQ(help.out.find("fault-"), std::string::npos);
   EXPECT_EQ(runCompare({"--version"}).out.rfind("mlsmesh_compare ", 0), 0U);
 }
 
