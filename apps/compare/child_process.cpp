@@ -20,7 +20,6 @@ namespace {
 
 constexpr long kPollNanoseconds = 2'000'000;
 constexpr double kTellSeconds = 0.1;
-constexpr std::uint64_t kAddressSlack = std::uint64_t{4} << 30;  // code, and what is reserved only
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -39,10 +38,7 @@ void setLimit(__rlimit_resource resource, std::uint64_t value) {
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(log, stream);
   setLimit(RLIMIT_CORE, 0);
-  if (limits.memory_bytes > 0) {
-    setLimit(RLIMIT_DATA, limits.memory_bytes);
-    setLimit(RLIMIT_AS, limits.memory_bytes + kAddressSlack);
-  }
+  if (limits.memory_bytes > 0) setLimit(RLIMIT_DATA, limits.memory_bytes);
   execv("/proc/self/exe", words);
   _exit(127);
 }

@@ -12,7 +12,7 @@ namespace mlsmesh::apps {
 /// What a process may use.
 struct ChildLimits {
   double seconds = 0;              ///< wall clock; 0: no limit
-  std::uint64_t memory_bytes = 0;  ///< data that it may hold; 0: no limit
+  std::uint64_t memory_bytes = 0;  ///< writable memory of its own that it may ask for; 0: no limit
 };
 
 /// How a process ended, and what it used.

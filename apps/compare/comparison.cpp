@@ -57,6 +57,15 @@ std::string signalText(int signal) {
   return "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
 }
 
+/// Throws AppError where a path in it cannot be said in JSON.
+std::string textOf(const Json& task) {
+  try {
+    return task.dump();
+  } catch (const Json::type_error&) {
+    throw AppError(kExitUsage, "arguments: names of files must be UTF-8; rename them");
+  }
+}
+
 /// All of a comparison that has a state: what is done, and what the screen shows of it.
 class Run {
  public:
@@ -86,7 +95,7 @@ class Run {
     std::error_code ignored;
     fs::remove(result, ignored);
     task["result"] = result.string();
-    outcome = runSelf({kWorkerOption, task.dump()}, limits, folder_.scratch("log.txt"), [&](double seconds) {
+    outcome = runSelf({kWorkerOption, textOf(task)}, limits, folder_.scratch("log.txt"), [&](double seconds) {
       InterruptGuard::check();
       bar_.draw(title + " " + std::to_string(static_cast<int>(seconds)) + " s", share());
     });

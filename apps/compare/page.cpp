@@ -119,11 +119,13 @@ std::string distanceText(const Row& row, const std::string& group) {
 
 using PictureOf = std::filesystem::path Pictures::*;
 
+/// Of every method; of those without a mesh, beside the surfaces only, why.
 std::string methodFigures(const CloudResult& cloud, PictureOf picture, const std::string& what,
                           std::string (*text)(const Row&)) {
   std::string figures;
   for (std::size_t i = 0; i < cloud.rows.size(); ++i) {
     const Row& row = cloud.rows[i];
+    if (row.mesh_file.empty() && picture != &Pictures::surface) continue;  // said once
     const std::string caption =
         numbered(i, row.method->label) + element("small", row.report.is_object() ? escaped(text(row)) : "");
     figures += figure(caption, row.pictures.*picture, what + " of " + row.method->label,

@@ -33,7 +33,9 @@ thead th { background: var(--band); font-weight: 600; }
 tbody th { text-align: left; font-weight: 600; white-space: nowrap; position: sticky; left: 0; background: var(--ground); }
 thead th[data-text] { text-align: left; }
 thead th:first-child { text-align: left; position: sticky; left: 0; z-index: 1; }
-td.words { text-align: left; min-width: 11em; }
+td { white-space: nowrap; }
+tbody th, td { vertical-align: baseline; }
+td.words { text-align: left; min-width: 11em; white-space: normal; }
 td.bad { color: var(--bad); font-weight: 700; }
 th button { all: unset; cursor: pointer; font: inherit; }
 th button:focus-visible, .zoom:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
@@ -71,7 +73,7 @@ details { margin: .8rem 0; } summary { cursor: pointer; font-weight: 600; }
 dl { font-size: 13px; margin: .5rem 0; display: grid; grid-template-columns: minmax(9em, max-content) 1fr; gap: .25rem 1rem; }
 dt { font-weight: 600; } dd { margin: 0; overflow-wrap: anywhere; }
 @media (max-width: 600px) { body { font-size: 14px; padding: 0 .7rem 2rem; } .gallery { gap: .5rem; }
-  tbody th { white-space: normal; min-width: 8.5em; } dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
+  tbody th { white-space: normal; min-width: 11.5em; } dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
 @media print { .zoom { cursor: auto; } figure, tr { break-inside: avoid; } }
 )css";
 }

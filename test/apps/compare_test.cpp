@@ -441,6 +441,7 @@ TEST(Compare, NamesWhatIsWrong) {
   expectOneLine(runCompare({folder.file("absent.pcd"), "--output", output}), 1, "absent.pcd");
   expectOneLine(runCompare({folder.write("nan.xyz", "nan nan nan\n"), "--output", output}), 1, "nan.xyz");
   expectOneLine(runCompare({cloud, "--output", cloud}), 1, "not a folder");
+  expectOneLine(runCompare({folder.file("\xff.xyz"), "--output", output}), 2, "UTF-8");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"nan.xyz", "points.obj", "sphere.xyz"}));
 }
 
