@@ -226,9 +226,7 @@ class Run {
     Json meshes = Json::array();
     for (Row& row : cloud.rows) {
       if (row.mesh_file.empty()) continue;
-      const double crossings = row.figure("topology", "self_intersections");
-      meshes.push_back({{"file", folder_.draft(row.mesh_file).string()},
-                        {"crossings", std::isnan(crossings) ? 0 : crossings}});
+      meshes.push_back(folder_.draft(row.mesh_file).string());
       drawn.push_back(&row);
     }
     const fs::path pictures = folder_.scratch(cloud.name);

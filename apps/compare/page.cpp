@@ -2,16 +2,19 @@
 #include "compare/page.h"
 
 #include "common/file_bytes.h"
-#include "compare/color_scale.h"
 #include "compare/columns.h"
 #include "compare/compare_options.h"
+#include "compare/mark_colors.h"
 #include "compare/page_parts.h"
 #include "compare/plots.h"
 #include "mlsmesh/version.h"
 
 #include <vtkBase64Utilities.h>
+#include <vtkLookupTable.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mlsmesh::apps {
@@ -161,6 +164,15 @@ std::string markLegend() {
                  "class=\"legend\"");
 }
 
+/// Of a place 0 .. 1 on the scale of the maps.
+std::string scaleColor(double place) {
+  static const vtkSmartPointer<vtkLookupTable> colors = valueColors(1);
+  std::array<double, 3> color{};
+  colors->GetColor(place, color.data());
+  const auto byte = [](double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); };
+  return colorText({byte(color[0]), byte(color[1]), byte(color[2])});
+}
+
 std::string scaleLegend(double end) {
   constexpr int kSteps = 40;
   constexpr double kScaleWidth = 400;
@@ -170,7 +182,7 @@ std::string scaleLegend(double end) {
   for (int i = 0; i < kSteps; ++i) {
     svg += "<rect x=\"" + numberText(i * kScaleWidth / kSteps, 6) + "\" width=\"" +
            numberText(kScaleWidth / kSteps + 0.5, 6) + "\" height=\"16\" fill=\"" +
-           colorText(scaleColor((i + 0.5) / kSteps)) + "\"/>";
+           scaleColor((i + 0.5) / kSteps) + "\"/>";
   }
   for (int i = 0; i <= 4; ++i) {
     const std::string text = numberText(end * i / 4, 3) + (i == 4 ? " and more" : i == 0 ? " spacings" : "");
@@ -194,13 +206,13 @@ std::string galleries(const CloudResult& cloud) {
   return gallery("Surfaces", markLegend(),
                  originals + methodFigures(cloud, &Pictures::surface, "surface", surfaceText)) +
          gallery("How far each point of the cloud is from the mesh",
-                 element("p", "Light where the mesh misses the points.", "class=\"note\"") +
+                 element("p", "Dark where the mesh misses the points.", "class=\"note\"") +
                      scaleLegend(kCloudToMeshEnd),
                  methodFigures(cloud, &Pictures::cloud_to_mesh, "distances of the points from the mesh",
                                [](const Row& row) { return distanceText(row, "cloud_to_mesh"); })) +
          gallery("How far each triangle of the mesh is from the cloud",
                  element("p",
-                         "Measured from its centre to the nearest point. Light where there are no points: "
+                         "Measured from its centre to the nearest point. Dark where there are no points: "
                          "surface that was invented.",
                          "class=\"note\"") +
                      scaleLegend(kMeshToCloudEnd),

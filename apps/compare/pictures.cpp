@@ -4,8 +4,8 @@
 #include "common/app_error.h"
 #include "common/mesh_reader.h"
 #include "common/virtual_display.h"
-#include "compare/color_scale.h"
 #include "compare/loaded_cloud.h"
+#include "compare/mark_colors.h"
 #include "compare/mesh_props.h"
 #include "compare/studio.h"
 #include "mlsmesh/core/failure.h"
@@ -37,49 +37,60 @@ std::vector<double> scaled(std::vector<double> distances, double spacing) {
   return distances;
 }
 
-std::vector<core::Vec3> centersOf(const TriangleFile& mesh) {
+std::vector<core::Vec3> centersOf(const Shape& mesh) {
   std::vector<core::Vec3> centers;
   centers.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles)
-    centers.emplace_back((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
+    centers.emplace_back((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3);
   return centers;
 }
 
-/// Draws what belongs to one cloud.
+/// Draws what belongs to one cloud, moved so that the middle of the cloud is at the origin.
 class Painter {
  public:
-  Painter(const Json& task)
-      : points_(loadPoints(task.at("cloud").get<std::string>())),
-        middle_(middleOf(points_)),
+  explicit Painter(const Json& task)
+      : middle_(0, 0, 0),
         spacing_(task.at("spacing")),
         folder_(task.at("folder").get<std::string>()),
-        studio_(task.at("side"), *extent(), viewpointOf(task.at("view"), task.at("up"), middle_)) {}
-
-  std::string cloud() { return take(coloredDots(points_, {}, 1, middle_, studio_.side()), "cloud"); }
-
-  std::string truth(const std::string& file) {
-    return take(markedSurface(readTriangles(file), 0, middle_, studio_.side()), "truth");
+        studio_(task.at("side")) {
+    cloud_.points = loadPoints(task.at("cloud").get<std::string>());
+    middle_ = middleOf(cloud_.points);
+    moveToMiddle(cloud_);
+    studio_.aim(cloud_.points, viewpointOf(task.at("view"), task.at("up"), middle_));
   }
 
-  Json mesh(const Json& subject, const std::string& name) {
-    const TriangleFile mesh = readTriangles(subject.at("file").get<std::string>());
+  std::string cloud() { return take(coloredDots(cloud_, {}, 1, studio_.side()), "cloud"); }
+
+  std::string truth(const std::string& file) {
+    return take(markedSurface(readMesh(file), studio_.side()), "truth");
+  }
+
+  Json mesh(const std::string& file, const std::string& name) {
+    const Shape mesh = readMesh(file);
     const core::Context context;
-    const std::vector<double> of_mesh = distancesFromCloud(centersOf(mesh), points_, context);
-    const std::vector<double> of_cloud = distancesFromMesh(points_, {mesh.vertices, mesh.triangles}, context);
-    const Props surface = markedSurface(mesh, subject.at("crossings"), middle_, studio_.side());
-    const Props map = coloredSurface(mesh, scaled(of_mesh, spacing_), kMeshToCloudEnd, middle_);
-    const Props dots =
-        coloredDots(points_, scaled(of_cloud, spacing_), kCloudToMeshEnd, middle_, studio_.side());
+    const std::vector<double> of_mesh = distancesFromCloud(centersOf(mesh), cloud_.points, context);
+    const std::vector<double> of_cloud =
+        distancesFromMesh(cloud_.points, {mesh.points, mesh.triangles}, context);
+    const Props surface = markedSurface(mesh, studio_.side());
+    const Props map = coloredSurface(mesh, scaled(of_mesh, spacing_), kMeshToCloudEnd);
+    const Props dots = coloredDots(cloud_, scaled(of_cloud, spacing_), kCloudToMeshEnd, studio_.side());
     return {{"surface", take(surface, name + "-surface")},
             {"mesh_to_cloud", take(map, name + "-mesh_to_cloud")},
             {"cloud_to_mesh", take(dots, name + "-cloud_to_mesh")}};
   }
 
  private:
-  vtkSmartPointer<vtkPoints> extent() const {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    for (const core::Vec3& point : points_) points->InsertNextPoint(core::Vec3(point - middle_).data());
-    return points;
+  void moveToMiddle(Shape& shape) const {
+    for (core::Vec3& point : shape.points) point -= middle_;
+  }
+
+  Shape readMesh(const std::string& file) const {
+    TriangleFile mesh = readTriangles(file);
+    Shape shape;
+    shape.points = std::move(mesh.vertices);
+    shape.triangles = std::move(mesh.triangles);
+    moveToMiddle(shape);
+    return shape;
   }
 
   std::string take(const Props& props, const std::string& name) {
@@ -88,7 +99,7 @@ class Painter {
     return file;
   }
 
-  std::vector<core::Vec3> points_;
+  Shape cloud_;
   core::Vec3 middle_;
   double spacing_;
   std::filesystem::path folder_;
@@ -108,7 +119,7 @@ Json drawPictures(const Json& task) {
     const std::string truth = task.at("truth");
     result["truth"] = truth.empty() ? "" : painter.truth(truth);
     result["meshes"] = Json::array();
-    for (const Json& mesh : task.at("meshes"))
+    for (const std::string mesh : task.at("meshes"))
       result["meshes"].push_back(painter.mesh(mesh, std::to_string(result["meshes"].size())));
   });
   if (!status.ok()) throw AppError(kExitFailure, "pictures: " + status.message);

@@ -3,10 +3,12 @@
 
 #include "common/app_error.h"
 #include "common/camera_fit.h"
+#include "drawing/layers.h"
 
+#include <vtkCamera.h>
 #include <vtkJPEGWriter.h>
-#include <vtkLightKit.h>
 #include <vtkMapper.h>
+#include <vtkPoints.h>
 #include <vtkWindowToImageFilter.h>
 
 namespace mlsmesh::apps {
@@ -17,20 +19,20 @@ constexpr int kQuality = 85;  // of JPEG, 0 .. 100
 
 }  // namespace
 
-Studio::Studio(int side, vtkPoints& extent, const Viewpoint& viewpoint) : side_(side) {
+Studio::Studio(int side) : side_(side) {
   window_->SetOffScreenRendering(1);
   window_->SetMultiSamples(kMultiSamples);
   window_->SetSize(side, side);
-  renderer_->SetBackground(1.0, 1.0, 1.0);
-  vtkNew<vtkCamera> camera;
-  fitCamera({&extent}, viewpoint, 1.0, 1.0, *camera);
-  renderer_->SetActiveCamera(camera);
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(1.0);
-  lights->SetKeyLightWarmth(0.52);
-  lights->AddLightsToRenderer(renderer_);
+  setUpRenderer(*renderer_);
+  renderer_->GradientBackgroundOff();
   window_->AddRenderer(renderer_);
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+}
+
+void Studio::aim(const std::vector<core::Vec3>& extent, const Viewpoint& viewpoint) {
+  vtkNew<vtkPoints> points;
+  for (const core::Vec3& point : extent) points->InsertNextPoint(point.data());
+  fitCamera({points}, viewpoint, 1.0, 1.0, *renderer_->GetActiveCamera());
 }
 
 void Studio::take(const std::vector<vtkSmartPointer<vtkProp>>& props, const std::filesystem::path& file) {

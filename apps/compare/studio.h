@@ -2,10 +2,9 @@
 #pragma once
 
 #include "common/viewpoint.h"
+#include "mlsmesh/core/types.h"
 
-#include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkProp.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -20,8 +19,11 @@ namespace mlsmesh::apps {
 /// display.
 class Studio {
  public:
-  /// Pictures have `side` pixels a side; the camera sees all of `extent`.
-  Studio(int side, vtkPoints& extent, const Viewpoint& viewpoint);
+  /// Pictures have `side` pixels a side.
+  explicit Studio(int side);
+
+  /// From now on the camera sees all of `extent`.
+  void aim(const std::vector<core::Vec3>& extent, const Viewpoint& viewpoint);
 
   /// A JPEG file of those props. Throws AppError.
   void take(const std::vector<vtkSmartPointer<vtkProp>>& props, const std::filesystem::path& file);
