@@ -111,18 +111,23 @@ void expectOneLine(const Outcome& outcome, int exit_code, const std::string& cul
   EXPECT_NE(outcome.err.find(culprit), std::string::npos) << outcome.err;
 }
 
+/// The report of mlsmesh_inspect.
+Json inspected(const fs::path& mesh, std::vector<std::string> arguments) {
+  const TemporaryFolder prints;
+  const std::string json = prints.file("report.json");
+  arguments.insert(arguments.end(), {mesh.string(), "--json", json, "--quiet"});
+  const Outcome outcome = Program(MLSMESH_INSPECT, arguments, prints.path()).wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return readJson(json);
+}
+
 /// One comparison of all methods on a small torus, for the tests that only look at what it left.
 class CompareAll : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
     const std::string cloud = folder_->write("torus <1>.xyz", xyzText("torus", 600));
-    truth() = folder_->write("truth.xyz", xyzText("torus", 3000));
-    const std::string mesh = folder_->file("truth.ply");
-    const TemporaryFolder prints;
-    ASSERT_EQ(Program(MLSMESH_RECONSTRUCT, {truth(), mesh, "--no-reduction"}, prints.path()).wait().exit_code,
-              0);
-    outcome() = runCompare({cloud, "--truth", mesh, "--limit", "60", "--output", output().string()});
+    outcome() = runCompare({cloud, "--limit", "60", "--output", output().string()});
   }
   static void TearDownTestSuite() {
     delete folder_;
@@ -134,11 +139,12 @@ class CompareAll : public testing::Test {
     static Outcome value;
     return value;
   }
-  static std::string& truth() {
-    static std::string value;
+  static Json results() { return readJson(output() / "results.json"); }
+  /// By reference, for loops over it.
+  static const Json& rows() {
+    static const Json value = results().at("clouds").at(0).at("rows");
     return value;
   }
-  static Json results() { return readJson(output() / "results.json"); }
 
   static TemporaryFolder* folder_;
 };
@@ -152,10 +158,9 @@ TEST_F(CompareAll, EveryMethodEndsAsARow) {
                                             "gp3",       "gp3-oriented", "mls-gp3", "poisson-8",
                                             "poisson-9", "hoppe",        "rbf",     "grid-projection",
                                             "organized"};
-  const Json rows = results().at("clouds").at(0).at("rows");
-  ASSERT_EQ(rows.size(), methods.size());
+  ASSERT_EQ(rows().size(), methods.size());
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    const Json& row = rows[i];
+    const Json& row = rows()[i];
     EXPECT_EQ(row.at("method"), methods[i]);
     if (methods[i] == "organized") {
       EXPECT_EQ(row.at("status"), "refused");
@@ -172,7 +177,7 @@ TEST_F(CompareAll, EveryMethodEndsAsARow) {
 }
 
 TEST_F(CompareAll, TimesOfNormalsStandApart) {
-  for (const Json& row : results().at("clouds").at(0).at("rows")) {
+  for (const Json& row : rows()) {
     double normals = 0, method = 0;
     for (const Json& stage : row.at("stages")) {
       const bool is_normals = stage.at("name") == "normals" || stage.at("name") == "orientation";
@@ -195,57 +200,47 @@ TEST_F(CompareAll, OrientationMakesTheDifference) {
   const Json poisson = rowOf(results(), "poisson-8").at("report");
   EXPECT_EQ(poisson.at("topology").at("genus"), 1);
   EXPECT_EQ(poisson.at("topology").at("components"), 1);
-  EXPECT_LT(poisson.at("truth").at("mean_diagonals"), 0.01);
+  EXPECT_LT(poisson.at("cloud_to_mesh").at("mean_spacings"), 0.3);
 }
 
 TEST_F(CompareAll, FiguresAreThoseOfInspect) {
-  for (const Json& row : results().at("clouds").at(0).at("rows")) {
-    if (row.at("mesh").is_null()) continue;
-    const TemporaryFolder prints;
-    const std::string json = prints.file("report.json");
-    const std::string mesh = (output() / row.at("mesh").get<std::string>()).string();
-    const Outcome inspected = Program(MLSMESH_INSPECT,
-                                      {mesh, "--cloud", folder_->file("torus <1>.xyz"), "--truth",
-                                       folder_->file("truth.ply"), "--json", json, "--quiet"},
-                                      prints.path())
-                                  .wait();
-    ASSERT_EQ(inspected.exit_code, 0) << inspected.err;
-    const Json expected = readJson(json);
+  for (const char* method : {"level-2", "gp3", "grid-projection"}) {
+    const Json row = rowOf(results(), method);
+    const Json expected =
+        inspected(output() / row.at("mesh").get<std::string>(), {"--cloud", folder_->file("torus <1>.xyz")});
     for (const char* group :
-         {"input", "topology", "shape", "cloud", "cloud_to_mesh", "mesh_to_cloud", "truth", "components"})
-      EXPECT_EQ(row.at("report").at(group), expected.at(group)) << row.at("method") << " " << group;
+         {"input", "topology", "shape", "cloud", "cloud_to_mesh", "mesh_to_cloud", "components", "borders"})
+      EXPECT_EQ(row.at("report").at(group), expected.at(group)) << method << " " << group;
   }
 }
 
 TEST_F(CompareAll, CsvSaysTheSame) {
   const std::vector<std::string> lines = linesOf(readFile(output() / "results.csv"));
-  const Json rows = results().at("clouds").at(0).at("rows");
-  ASSERT_EQ(lines.size(), rows.size() + 1);
+  ASSERT_EQ(lines.size(), rows().size() + 1);
   const std::vector<std::string> heads = cellsOf(lines[0]);
   const auto column = [&](const std::string& head) {
     return static_cast<std::size_t>(std::find(heads.begin(), heads.end(), head) - heads.begin());
   };
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < rows().size(); ++i) {
     const std::vector<std::string> cells = cellsOf(lines[i + 1]);
     ASSERT_EQ(cells.size(), heads.size());
-    EXPECT_EQ(cells[column("method")], rows[i].at("method"));
-    EXPECT_EQ(cells[column("status")], rows[i].at("status"));
-    if (rows[i].at("report").is_null()) {
+    EXPECT_EQ(cells[column("method")], rows()[i].at("method"));
+    EXPECT_EQ(cells[column("status")], rows()[i].at("status"));
+    if (rows()[i].at("report").is_null()) {
       EXPECT_EQ(cells[column("topology.triangles")], "");
       continue;
     }
-    const Json& report = rows[i].at("report");
+    const Json& report = rows()[i].at("report");
     EXPECT_EQ(std::stod(cells[column("topology.triangles")]), report.at("topology").at("triangles"));
-    EXPECT_NEAR(std::stod(cells[column("truth.mean_diagonals")]), report.at("truth").at("mean_diagonals"),
-                1e-9);
-    EXPECT_NEAR(std::stod(cells[column("seconds.total")]), rows[i].at("seconds").at("total"), 1e-6);
+    EXPECT_NEAR(std::stod(cells[column("cloud_to_mesh.rms")]), report.at("cloud_to_mesh").at("rms"), 1e-9);
+    EXPECT_NEAR(std::stod(cells[column("seconds.total")]), rows()[i].at("seconds").at("total"), 1e-6);
   }
 }
 
 TEST_F(CompareAll, TablesSayTheSame) {
   const std::string markdown = readFile(output() / "report.md");
   const std::string page = readFile(output() / "report.html");
-  for (const Json& row : results().at("clouds").at(0).at("rows")) {
+  for (const Json& row : rows()) {
     const std::string label = row.at("label");
     const std::string triangles =
         row.at("report").is_null()
@@ -260,9 +255,9 @@ TEST_F(CompareAll, TablesSayTheSame) {
 
 TEST_F(CompareAll, PageNeedsNothingElse) {
   const std::string page = readFile(output() / "report.html");
-  // Twelve meshes of three pictures, the cloud and the truth.
-  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 38U);
-  EXPECT_EQ(countOf(page, "src="), 38U);
+  // Twelve meshes of three pictures, and the cloud.
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 37U);
+  EXPECT_EQ(countOf(page, "src="), 37U);
   EXPECT_EQ(countOf(page, "<link"), 0U);
   EXPECT_EQ(countOf(page, "http"), 0U);
   EXPECT_EQ(countOf(page, "url("), 0U);
@@ -281,6 +276,30 @@ TEST_F(CompareAll, LeavesItsFilesAndNothingElse) {
   for (const char* name : {"results.json", "results.csv", "report.md", "report.html",
                            "meshes/torus__1_/level-2.ply", "meshes/torus__1_/hoppe.ply"})
     EXPECT_EQ(files.count(name), 1U) << name;
+}
+
+TEST(Compare, DistancesFromTheTruthAreMeasuredWhereThereIsOne) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("torus.xyz", xyzText("torus", 600));
+  const std::string other = folder.write("sphere.xyz", sphereXyz(400));
+  const std::string truth = folder.file("truth.ply"), output = folder.file("out");
+  const TemporaryFolder prints;
+  ASSERT_EQ(Program(MLSMESH_RECONSTRUCT, {cloud, truth, "--no-reduction"}, prints.path()).wait().exit_code,
+            0);
+  const Outcome outcome = runCompare(
+      {cloud, other, "--truth", truth, "--truth", "none", "--methods", "level-1", "--output", output});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json results = readJson(output + "/results.json");
+  const Json row = rowOf(results, "level-1");
+  const Json expected =
+      inspected(output + "/" + row.at("mesh").get<std::string>(), {"--cloud", cloud, "--truth", truth});
+  for (const char* group : {"truth", "mesh_to_truth", "truth_to_mesh"})
+    EXPECT_EQ(row.at("report").at(group), expected.at(group)) << group;
+  EXPECT_FALSE(results.at("clouds").at(1).at("rows").at(0).at("report").contains("truth"));
+  EXPECT_NE(linesOf(readFile(output + "/results.csv"))[0].find("truth.hausdorff"), std::string::npos);
+  const std::string page = readFile(output + "/report.html");
+  EXPECT_NE(page.find("truth mean"), std::string::npos);
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 2U + 3U + 1U + 3U);
 }
 
 TEST(Compare, OrganisedCloudsAreMeshedAsSuch) {
