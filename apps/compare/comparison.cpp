@@ -150,16 +150,14 @@ class Run {
   void addRow(CloudResult& cloud, const Method& method) {
     Row row;
     row.method = &method;
-    const std::string name = "meshes/" + cloud.name + "/" + method.name + ".ply";
-    const fs::path mesh = folder_.draft(name);
+    const std::string stem = "meshes/" + cloud.name + "/" + method.name;
+    const fs::path mesh = folder_.draft(stem + ".ply");
     reconstruct(cloud, mesh, row);
     if (row.status == RowStatus::Done) {
-      row.mesh_file = name;
+      row.mesh_file = stem + ".ply";
       measure(cloud, mesh, row);
     } else {
-      std::error_code ignored;
-      fs::remove(mesh, ignored);
-      folder_.discard(name);
+      for (const char* extension : {".ply", ".vtk"}) folder_.discard(stem + extension);
     }
     ++rows_;
     tell(cloud, row);

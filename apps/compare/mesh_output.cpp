@@ -14,7 +14,7 @@
 namespace mlsmesh::apps {
 
 void writeComparedMesh(const pcl::PolygonMesh& mesh, const core::Vec3& origin,
-                       const std::filesystem::path& file) {
+                       const std::filesystem::path& ply) {
   PlainCloud points;
   pcl::fromPCLPointCloud2(mesh.cloud, points);
   std::vector<pcl::index_t> number(points.size(), -1);  // among those that are written
@@ -34,7 +34,10 @@ void writeComparedMesh(const pcl::PolygonMesh& mesh, const core::Vec3& origin,
     const bool is_whole = std::count(face.vertices.begin(), face.vertices.end(), -1) == 0;
     if (is_whole) written.polygons.push_back(std::move(face));
   }
-  writeMesh(file, file, written);
+  writeMesh(ply, ply, written);
+  std::filesystem::path vtk = ply;
+  vtk.replace_extension(".vtk");
+  writeMesh(vtk, vtk, written);
 }
 
 }  // namespace mlsmesh::apps

@@ -50,6 +50,12 @@ fs::path OutputFolder::draft(const std::string& name) {
   return file;
 }
 
+void OutputFolder::discard(const std::string& name) {
+  std::error_code ignored;
+  fs::remove(drafts_ / name, ignored);
+  discarded_.push_back(name);
+}
+
 void OutputFolder::commit() {
   std::error_code error;
   for (const std::string& name : discarded_) fs::remove(folder_ / name, error);

@@ -23,8 +23,8 @@ class OutputFolder {
   /// For files that are not to stay.
   std::filesystem::path scratch(const std::string& name) const { return scratch_ / name; }
   const std::filesystem::path& scratchFolder() const { return scratch_; }
-  /// A file of that name from an earlier comparison is to go.
-  void discard(const std::string& name) { discarded_.push_back(name); }
+  /// There shall be no file of that name: neither its draft nor one from an earlier comparison.
+  void discard(const std::string& name);
   /// Puts the drafts in place, each in one step. Throws AppError.
   void commit();
 

@@ -73,7 +73,7 @@ class LogAxis {
   /// Powers of ten, and 2 and 5 times them where there are few.
   std::vector<double> ticks() const {
     std::vector<double> ticks;
-    const bool few = high_ - low_ < 2.2;
+    const bool few = high_ - low_ < 2.8;
     for (int power = static_cast<int>(std::floor(low_)); power <= static_cast<int>(std::ceil(high_));
          ++power) {
       for (const int step : {1, 2, 5}) {
