@@ -24,7 +24,7 @@ p { margin: .3rem 0 .6rem; max-width: 75ch; }
 .facts, .note, figcaption small { color: var(--soft); }
 .facts { overflow-wrap: anywhere; }
 a { color: var(--link); }
-nav a { margin-right: 1em; }
+nav { display: flex; flex-wrap: wrap; gap: .2rem 1rem; margin-bottom: .6rem; overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; border: 1px solid var(--rule); border-radius: 6px; }
 table { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .55rem; text-align: right; vertical-align: bottom; border-bottom: 1px solid var(--rule); }
