@@ -217,5 +217,22 @@ TEST(SurfaceSamples, AreUniformByArea) {
   EXPECT_LT((sum / count[2] - Vec3(5, 2.0 / 3, 1)).norm(), 0.05) << "their mean is the centroid";
 }
 
+TEST(PointDistances, AreThoseBehindTheStatistics) {
+  const Soup mesh = square(0.25);
+  const std::vector<Vec3> cloud = lattice(10, 0);
+  const std::vector<double> to_mesh = distancesFromMesh(cloud, viewOf(mesh), core::Context());
+  ASSERT_EQ(to_mesh.size(), cloud.size());
+  for (const double distance : to_mesh) EXPECT_NEAR(distance, 0.25, 1e-12);
+  const std::vector<double> to_cloud =
+      distancesFromCloud({{0.5, 0.5, 0.25}, {0.55, 0.5, 0}, {2, 1, 0}}, cloud, core::Context());
+  ASSERT_EQ(to_cloud.size(), 3u);
+  EXPECT_NEAR(to_cloud[0], 0.25, 1e-12);
+  EXPECT_NEAR(to_cloud[1], 0.05, 1e-12);
+  EXPECT_NEAR(to_cloud[2], 1, 1e-12);
+  EXPECT_TRUE(distancesFromMesh({}, viewOf(mesh), core::Context()).empty());
+  EXPECT_THROW(distancesFromMesh(cloud, viewOf(Soup()), core::Context()), core::Failure);
+  EXPECT_THROW(distancesFromCloud(cloud, {}, core::Context()), core::Failure);
+}
+
 }  // namespace
 }  // namespace mlsmesh

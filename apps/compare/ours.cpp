@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/reconstructors.h"
+#include "mlsmesh/mls_multiresolution.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+namespace mlsmesh::apps {
+namespace {
+
+pcl::PolygonMesh run(const MethodInput& input, bool reduce, int levels, StageClock& clock) {
+  MlsMultiresolution<pcl::PointXYZ> multiresolution;
+  multiresolution.setInputCloud(input.cloud);
+  multiresolution.setNumberOfThreads(input.threads);
+  multiresolution.parameters().reduce = reduce;
+  multiresolution.setLevels(levels);
+  pcl::PolygonMesh mesh;
+  const double begin = wallSeconds();
+  multiresolution.compute(mesh);
+  double rest = wallSeconds() - begin;
+  if (multiresolution.status().code == StatusCode::OutOfMemory) throw std::bad_alloc();
+  if (!multiresolution.status().ok()) throw std::runtime_error(multiresolution.status().message);
+  for (const core::StageTime& stage : multiresolution.stages()) {
+    clock.add({stage.name, stage.seconds});
+    rest -= stage.seconds;
+  }
+  clock.add({"conversion", std::max(rest, 0.0)});
+  return mesh;
+}
+
+}  // namespace
+
+pcl::PolygonMesh reconstructLevel(const MethodInput& input, int level, StageClock& clock) {
+  return run(input, true, level, clock);
+}
+
+pcl::PolygonMesh reconstructUnreduced(const MethodInput& input, StageClock& clock) {
+  return run(input, false, 0, clock);
+}
+
+}  // namespace mlsmesh::apps
