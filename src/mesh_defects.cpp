@@ -14,6 +14,7 @@ namespace mlsmesh {
 
 namespace {
 
+using core::DisjointSets;
 using core::Index;
 using core::Triangle;
 using core::Vec3;

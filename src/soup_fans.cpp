@@ -7,6 +7,7 @@ namespace mlsmesh {
 
 namespace {
 
+using core::DisjointSets;
 using core::Index;
 using core::kNone;
 
