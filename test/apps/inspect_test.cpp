@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <map>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -147,6 +148,10 @@ std::vector<Kind> kinds() {
   };
 }
 
+void PrintTo(const Kind& kind, std::ostream* out) {
+  *out << kind.name;
+}
+
 class InspectKind : public testing::TestWithParam<Kind> {};
 
 TEST_P(InspectKind, IsCounted) {
@@ -261,6 +266,10 @@ struct Ask {
   std::string told;  ///< what stderr has; empty: nothing at all
 };
 
+void PrintTo(const Ask& ask, std::ostream* out) {
+  *out << ask.list;
+}
+
 class InspectRequire : public testing::TestWithParam<Ask> {};
 
 TEST_P(InspectRequire, DecidesTheExitCode) {
@@ -318,6 +327,10 @@ struct Misuse {
   std::vector<std::string> arguments;  ///< MESH, CUT, ... stand for files
   std::string culprit;
 };
+
+void PrintTo(const Misuse& misuse, std::ostream* out) {
+  for (const std::string& argument : misuse.arguments) *out << argument << ' ';
+}
 
 class InspectMisuse : public testing::TestWithParam<Misuse> {};
 

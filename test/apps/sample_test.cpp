@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,10 @@ struct Misuse {
   int exit_code;
   std::string culprit;
 };
+
+void PrintTo(const Misuse& misuse, std::ostream* out) {
+  for (const std::string& argument : misuse.arguments) *out << argument << ' ';
+}
 
 class SampleMisuse : public testing::TestWithParam<Misuse> {};
 
