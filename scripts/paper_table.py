@@ -59,17 +59,21 @@ def seconds(report):
     return tuple(sums[step] for step in STEPS)
 
 
+def run_reconstruct(options, cloud, mesh, more):
+    """The report of mlsmesh_reconstruct on one thread, with the options `more`."""
+    report = mesh.with_suffix(".json")
+    command = [options.bin / "mlsmesh_reconstruct", cloud, mesh, "--threads", "1", "--quiet", "--json", report, *more]
+    done = subprocess.run([str(part) for part in command], check=False)
+    if done.returncode != 0:
+        sys.exit(f"paper_table: exit code {done.returncode} from: {' '.join(map(str, command))}")
+    return json.loads(report.read_text())
+
+
 def reconstruct(options, cloud, config, folder):
     """(points, representatives, triangles, seconds) of a cloud meshed by a config file."""
-    report = folder / "report.json"
     times = []
     for _ in range(options.repetitions):
-        command = [options.bin / "mlsmesh_reconstruct", cloud, folder / "mesh.ply", "--config", CONFIGS / config]
-        command += ["--threads", "1", "--quiet", "--json", report]
-        done = subprocess.run([str(part) for part in command], check=False)
-        if done.returncode != 0:
-            sys.exit(f"paper_table: exit code {done.returncode} from: {' '.join(map(str, command))}")
-        found = json.loads(report.read_text())
+        found = run_reconstruct(options, cloud, folder / "mesh.ply", ["--config", CONFIGS / config])
         times.append(seconds(found))
     triangles = tuple(level["triangles"] for level in found["levels"])
     return found["input"]["used"], found["representatives"], triangles, tuple(map(min, zip(*times)))
@@ -80,7 +84,7 @@ def row(name, by, counts):
     grown = [f"{fine / coarse:.2f}" for coarse, fine in zip(triangles, triangles[1:])]
     cells = [name, by, f"{points:,}", f"{representatives:,}", f"{points / representatives:.2f}"]
     cells += [f"{count:,}" for count in triangles] + [", ".join(grown)]
-    cells += [f"{time:.3g}" if time >= 0.01 else f"{time:.3f}" for time in times]
+    cells += [f"{time:.2f}" if time >= 0.1 else f"{time:.3f}" for time in times]
     return "| " + " | ".join(cells) + " |"
 
 
@@ -102,25 +106,34 @@ def table(options):
     return "\n".join(lines)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def arguments(description):
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     data = os.environ.get("MLSMESH_DATA_DIR", ROOT.parent / "shared/data")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", help="folder of the programs")
     parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(data), help="folder of the clouds")
-    parser.add_argument("--repetitions", type=int, default=3, help="runs of each cloud, of which the fastest counts (3)")
-    parser.add_argument("--print", action="store_true", help="print the table and leave docs/paper.md as it is")
+    parser.add_argument("--repetitions", type=int, default=3, help="runs of each cloud for Table 1, the fastest counts (3)")
+    parser.add_argument("--print", action="store_true", help="print, and leave docs/paper.md as it is")
     options = parser.parse_args()
     if options.repetitions < 1:
         parser.error("--repetitions must be at least 1")
-    made = table(options)
+    return options
+
+
+def write_between(begin, end, text, options):
+    """Puts the text between two markers of docs/paper.md, or prints it."""
     if options.print:
-        print(made)
+        print(text)
         return
     page = PAGE.read_text()
-    if page.count(BEGIN) != 1 or page.count(END) != 1:
-        sys.exit(f"paper_table: {PAGE.name} must hold {BEGIN} and {END} once each")
-    before, rest = page.split(BEGIN)
-    PAGE.write_text(f"{before}{BEGIN}\n{made}\n{END}{rest.split(END)[1]}")
+    if page.count(begin) != 1 or page.count(end) != 1:
+        sys.exit(f"{PAGE.name} must hold {begin} and {end} once each")
+    before, rest = page.split(begin)
+    PAGE.write_text(f"{before}{begin}\n{text}\n{end}{rest.split(end)[1]}")
+
+
+def main():
+    options = arguments(__doc__)
+    write_between(BEGIN, END, table(options), options)
 
 
 if __name__ == "__main__":
