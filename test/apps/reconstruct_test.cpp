@@ -340,8 +340,9 @@ TEST_F(Reconstruct, EveryLaunchConfigRuns) {
   for (const std::string& name : launchConfigs()) {
     SCOPED_TRACE(name);
     EXPECT_NE(page.find("`" + name + ".cfg`"), std::string::npos) << "not in docs/launch_configs.md";
-    const Outcome outcome = run({input, folder_.file("out.ply"), "--config", kLaunchConfigs + "/" + name + ".cfg",
-                                 "--json", folder_.file("r.json"), "--quiet"});
+    const Outcome outcome =
+        run({input, folder_.file("out.ply"), "--config", kLaunchConfigs + "/" + name + ".cfg", "--json",
+             folder_.file("r.json"), "--quiet"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json json = readJson("r.json");
     const Json& finest = json["levels"].back();
