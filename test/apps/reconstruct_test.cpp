@@ -315,19 +315,67 @@ TEST_F(Reconstruct, ListOfParametersIsAConfig) {
   EXPECT_EQ(runWell({"--list-parameters=config", "--config", config}), list);
 }
 
-TEST_F(Reconstruct, EveryLaunchConfigParses) {
+const std::string kLaunchConfigs = MLSMESH_SOURCE_DIR "/launch_configs/reconstruct";
+
+// The names of the launch configs, without extension.
+std::set<std::string> launchConfigs() {
   std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(MLSMESH_SOURCE_DIR "/launch_configs/reconstruct")) {
-    SCOPED_TRACE(entry.path());
-    const std::string stem = entry.path().stem().string();
-    names.insert(stem);
-    const std::string preset = apps::findPreset(stem) != nullptr ? stem : "paper";
-    EXPECT_EQ(runWell({"--config", entry.path().string(), "--list-parameters=config"}),
+  for (const auto& entry : fs::directory_iterator(kLaunchConfigs)) names.insert(entry.path().stem().string());
+  return names;
+}
+
+TEST_F(Reconstruct, LaunchConfigsOfPresetsAndModels) {
+  for (const std::string name :
+       {"default", "paper", "printed", "bunny", "cactus", "cat", "club", "dragon", "horse"}) {
+    SCOPED_TRACE(name);
+    const std::string preset = apps::findPreset(name) != nullptr ? name : "paper";
+    EXPECT_EQ(runWell({"--config", kLaunchConfigs + "/" + name + ".cfg", "--list-parameters=config"}),
               runWell({"--preset", preset, "--list-parameters=config"}));
   }
-  const std::set<std::string> expected = {"bunny",  "cactus", "cat",   "club",   "default",
-                                          "dragon", "horse",  "paper", "printed"};
-  EXPECT_EQ(names, expected);
+}
+
+TEST_F(Reconstruct, EveryLaunchConfigRuns) {
+  const std::string input = sphere();
+  const std::string page = readFile(MLSMESH_SOURCE_DIR "/docs/launch_configs.md");
+  for (const std::string& name : launchConfigs()) {
+    SCOPED_TRACE(name);
+    EXPECT_NE(page.find("`" + name + ".cfg`"), std::string::npos) << "not in docs/launch_configs.md";
+    const Outcome outcome =
+        run({input, folder_.file("out.ply"), "--config", kLaunchConfigs + "/" + name + ".cfg", "--json",
+             folder_.file("r.json"), "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = readJson("r.json");
+    const Json& finest = json["levels"].back();
+    EXPECT_EQ(readPly("out.ply").faces.size(), finest["triangles"].get<std::size_t>());
+    if (name == "printed") continue;  // which may leave the mesh incomplete
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(finest["components"], 1);
+    EXPECT_EQ(finest["border_loops"], 0);
+    EXPECT_EQ(finest["genus"], 0);
+    EXPECT_EQ(finest["self_intersections"], 0);
+  }
+}
+
+TEST_F(Reconstruct, LaunchConfigsDoWhatTheySay) {
+  const std::string input = sphere();
+  const auto with = [&](const std::string& name) {
+    runWell({input, folder_.file("out.ply"), "--config", kLaunchConfigs + "/" + name + ".cfg", "--json",
+             folder_.file("r.json"), "--quiet"});
+    return readJson("r.json");
+  };
+  const Json usual = with("default");
+  const Json preview = with("preview");
+  EXPECT_EQ(preview["levels"].size(), 1u);
+  EXPECT_LT(2 * preview["representatives"].get<int>(), usual["representatives"].get<int>());
+  const Json full = with("full_resolution");
+  EXPECT_EQ(full["levels"].size(), 1u);
+  EXPECT_EQ(full["levels"][0]["vertices"], kCount);
+  for (const std::string name : {"noisy_scan", "rgbd_frame", "terrain"}) {
+    EXPECT_EQ(with(name)["levels"].size(), 2u) << name;
+  }
+  EXPECT_EQ(with("outlier_scan")["parameters"]["outliers.smallest_group"], 50);
+  EXPECT_EQ(with("terrain")["parameters"]["hole_size"], 40);
+  EXPECT_EQ(with("watertight")["parameters"]["watertight"], true);
 }
 
 }  // namespace mlsmesh::test
