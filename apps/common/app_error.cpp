@@ -21,6 +21,10 @@ AppError fileError(const std::string& file, const std::string& what_and_remedy) 
   return {kExitFailure, file + ": " + what_and_remedy};
 }
 
+AppError damagedFile(const std::string& file, const std::string& format) {
+  return fileError(file, "is not a whole " + format + " file (cut off or damaged); copy or write it again");
+}
+
 std::string oneLine(const std::string& text) {
   std::string line;
   for (const char c : text) {

@@ -23,6 +23,8 @@ class AppError : public std::runtime_error {
 
 /// An error of a file, "FILE: what is wrong; remedy", with kExitFailure.
 AppError fileError(const std::string& file, const std::string& what_and_remedy);
+/// That of a file which ends too early or does not hold what its header says.
+AppError damagedFile(const std::string& file, const std::string& format);
 
 /// `text` on one line: control characters become spaces, runs of spaces one, and at most 400 characters are
 /// kept.

@@ -21,11 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-AppError damaged(const fs::path& file, const std::string& format) {
-  return fileError(file.string(),
-                   "is not a whole " + format + " file (cut off or damaged); copy or write it again");
-}
-
 /// Runs one of PCL's readers, which tell of trouble by a negative result or by an exception.
 template <class Read>
 void readWithPcl(const fs::path& file, const std::string& format, const Read& read) {
@@ -35,9 +30,9 @@ void readWithPcl(const fs::path& file, const std::string& format, const Read& re
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    throw damaged(file, format);
+    throw damagedFile(file.string(), format);
   }
-  if (result < 0) throw damaged(file, format);
+  if (result < 0) throw damagedFile(file.string(), format);
 }
 
 void readPcd(const fs::path& file, pcl::PCLPointCloud2& cloud) {
@@ -48,7 +43,7 @@ void readPcd(const fs::path& file, pcl::PCLPointCloud2& cloud) {
 void readPly(const fs::path& file, pcl::PCLPointCloud2& cloud) {
   const std::size_t announced = checkPlyHeader(file);
   readWithPcl(file, "PLY", [&] { return pcl::PLYReader().read(file.string(), cloud); });
-  if (pointCount(cloud) != announced) throw damaged(file, "PLY");
+  if (pointCount(cloud) != announced) throw damagedFile(file.string(), "PLY");
 }
 
 void readXyzFile(const fs::path& file, pcl::PCLPointCloud2& cloud) {
@@ -91,7 +86,8 @@ void checkPoints(const fs::path& file, const pcl::PCLPointCloud2& cloud) {
     }
   }
   if (pointCount(cloud) == 0) throw fileError(file.string(), "holds no points; give a file with points");
-  if (cloud.data.size() < pointCount(cloud) * cloud.point_step) throw damaged(file, "point cloud");
+  if (cloud.data.size() < pointCount(cloud) * cloud.point_step)
+    throw damagedFile(file.string(), "point cloud");
 }
 
 }  // namespace

@@ -215,7 +215,8 @@ void addTriangulation(std::vector<Parameter>& table) {
   rows.add("fill_max_edges", &Step::fill_max_edges, Limits{3, 64, false},
            "edges of the largest loop that is filled");
   rows.add("fill_max_perimeter", &Step::fill_max_perimeter, kPositive,
-           "perimeter of the largest loop that is filled, in spacings of the cloud (where it is sparser, in those there)");
+           "perimeter of the largest loop that is filled, in spacings of the cloud (where it is sparser, in "
+           "those there)");
   rows.add("fill_supported_edges", &Step::fill_supported_edges, Limits{0, 64, false},
            "edges of the largest loop that is filled where the cloud supports every triangle of the fill");
   rows.add("support_reach", &Step::support_reach, kNotNegative,
@@ -248,7 +249,8 @@ void addRefinement(std::vector<Parameter>& table) {
            "farthest that a new vertex may be from the midpoint, in edge lengths");
   rows.add("border_displacement", &Step::border_displacement, kNotNegative, "the same on border edges");
   rows.add("smooth_borders", &Step::smooth_borders,
-           "move borders to the rim of the cloud (but those that watertight closes) and refine them as smooth curves");
+           "move borders to the rim of the cloud (but those that watertight closes) and refine them as "
+           "smooth curves");
   rows.add("fold_guard", &Step::fold_guard,
            "pull a new vertex back where a triangle turns against its parent or meets another");
   rows.add("fold_angle", &Step::fold_angle, Limits{0, 180, false}, "degrees that a triangle may turn");

@@ -123,7 +123,7 @@ void readWithVtk(Reader& reader, const fs::path& file, pcl::PCLPointCloud2& clou
   const auto counter = countVtkErrors();
   reader.Update();
   if (counter->errors() > 0 || reader.GetErrorCode() != vtkErrorCode::NoError) {
-    throw fileError(file.string(), "is not a whole VTK file (cut off or damaged); copy or write it again");
+    throw damagedFile(file.string(), "VTK");
   }
   vtkPolyData* set = reader.GetOutput();
   if (set == nullptr || set->GetNumberOfPoints() == 0) {

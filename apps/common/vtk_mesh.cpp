@@ -27,11 +27,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-AppError damaged(const fs::path& file, const std::string& format) {
-  return fileError(file.string(),
-                   "is not a whole " + format + " file (cut off or damaged); copy or write it again");
-}
-
 /// Where every cell begins must not fall, nor be beyond the end of the list of corners.
 bool isSound(vtkCellArray& cells) {
   vtkDataArray& begin = *cells.GetOffsetsArray();
@@ -78,11 +73,12 @@ template <class Reader>
 PolygonSoup readWithVtk(Reader& reader, const fs::path& file, const std::string& format) {
   const auto counter = countVtkErrors();
   reader.Update();
-  if (counter->errors() > 0 || reader.GetErrorCode() != vtkErrorCode::NoError) throw damaged(file, format);
+  if (counter->errors() > 0 || reader.GetErrorCode() != vtkErrorCode::NoError)
+    throw damagedFile(file.string(), format);
   vtkPolyData* const data = reader.GetOutput();
   if (data == nullptr || data->GetNumberOfPoints() == 0)
     throw fileError(file.string(), "holds no points; give a file with a mesh");
-  if (!isSound(*data->GetPolys()) || !isSound(*data->GetStrips())) throw damaged(file, format);
+  if (!isSound(*data->GetPolys()) || !isSound(*data->GetStrips())) throw damagedFile(file.string(), format);
   PolygonSoup soup;
   appendVertices(*data->GetPoints(), soup);
   appendPolygons(*data->GetPolys(), soup);

@@ -11,7 +11,6 @@
 #include "mlsmesh/core/advancing_front.h"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 
 #include "border_fill.h"
@@ -22,9 +21,11 @@
 #include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/neighbor_search.h"
 #include "mlsmesh/core/parallel.h"
+#include "outward.h"
 #include "overlap_tests.h"
 #include "pinches.h"
 #include "seams.h"
+#include "vertex_data.h"
 #include "wide_neighbors.h"
 
 namespace mlsmesh::core {
@@ -178,18 +179,6 @@ bool isTurnedAgainst(const FrontInput& input, const HalfEdgeMesh& mesh,
   return agreement < 0;
 }
 
-// Whether the volume under the triangles, seen from the mean of their corners, is negative.
-bool isInsideOut(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  Vec3 centroid = Vec3::Zero();
-  for (const auto& [a, b, c] : triangles) centroid += points[a] + points[b] + points[c];
-  centroid /= 3.0 * static_cast<double>(triangles.size());
-  double volume = 0;
-  for (const auto& [a, b, c] : triangles) {
-    volume += (points[a] - centroid).dot((points[b] - centroid).cross(points[c] - centroid));
-  }
-  return volume < 0;
-}
-
 // The triangles of an island. Those of the first, most often nearly all, are not kept.
 std::vector<Triangle> takeIsland(Index island, Islands& islands) {
   const Index dropped = island == 0 ? 0 : islands.begin[1];
@@ -275,39 +264,6 @@ void growFromSingleTriangles(const FrontInput& input, const std::vector<Vec3>& n
   }
 }
 
-// Turns every component so that the volume under it, seen from its own centroid, is positive: outward where
-// it is closed.
-void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
-  struct Body {
-    Vec3 centroid = Vec3::Zero();  // of the corners
-    Index triangles = 0;
-    double volume = 0;
-  };
-  Index count = 0;
-  const std::vector<Index> component = mesh.components(&count);
-  std::vector<Body> bodies(static_cast<std::size_t>(count));
-  const auto forEach = [&](const auto& visit) {
-    for (Index t = 0; t < mesh.slotCount(); ++t) {
-      if (component[t] != kNone) visit(t, bodies[component[t]]);
-    }
-  };
-  forEach([&](Index t, Body& body) {
-    for (const Index v : mesh.corners(t)) body.centroid += points[v];
-    ++body.triangles;
-  });
-  for (Body& body : bodies) body.centroid /= 3.0 * static_cast<double>(body.triangles);
-  forEach([&](Index t, Body& body) {
-    const auto [a, b, c] = mesh.corners(t);
-    const Vec3& o = body.centroid;
-    body.volume += (points[a] - o).dot((points[b] - o).cross(points[c] - o));
-  });
-  std::vector<Index> inward;
-  forEach([&](Index t, Body& body) {
-    if (body.volume < 0) inward.push_back(t);
-  });
-  mesh.reverse(inward);
-}
-
 void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, HalfEdgeMesh& mesh,
                 FrontStatistics& statistics) {
   const FillCount filled = fillLoops(mesh, points, limits);
@@ -331,50 +287,6 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
                   "no triangle fits the points; they may be too sparse or scattered");
   }
 }
-
-// What every vertex brings along. Lists of the caller's are read where they are, until copies of split
-// vertices are appended.
-template <typename T>
-class VertexList {
- public:
-  explicit VertexList(const std::vector<T>* given = nullptr) : given_(given) {}
-  VertexList& operator=(std::vector<T> own) {
-    own_ = std::move(own);
-    given_ = nullptr;
-    return *this;
-  }
-
-  const std::vector<T>& get() const { return given_ ? *given_ : own_; }
-  void appendCopies(const std::vector<Index>& originals) {
-    if (originals.empty() || get().empty()) return;
-    if (given_) *this = std::vector<T>(*given_);
-    for (const Index original : originals) own_.push_back(T(own_[original]));
-  }
-
- private:
-  const std::vector<T>* given_;
-  std::vector<T> own_;
-};
-
-struct VertexData {
-  VertexList<Vec3> points;
-  VertexList<Vec3> normals;
-  VertexList<double> cloud_spacing;
-  VertexList<Index> cloud_nearest;
-
-  explicit VertexData(const TriangulationInput& input)
-      : points(&input.points),
-        normals(input.normals),
-        cloud_spacing(input.cloud_spacing),
-        cloud_nearest(input.cloud_nearest) {}
-
-  void appendCopies(const std::vector<Index>& originals) {
-    points.appendCopies(originals);
-    normals.appendCopies(originals);
-    cloud_spacing.appendCopies(originals);
-    cloud_nearest.appendCopies(originals);
-  }
-};
 
 CloudSupport supportOf(const TriangulationInput& input, const VertexData& data, double reach) {
   if (!input.cloud) return {};

@@ -12,7 +12,6 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr int kNeighbors = 12;
 constexpr double kScattered = 0.1;  // surface variation of points that lie on no surface
 
 double median(std::vector<double>& values) {
@@ -26,7 +25,7 @@ bool isOff(const Representatives& all, const NeighborTable& neighbors, Index i) 
   constexpr double kSparser = 1.5;
   if (all.kind[i] != VertexKind::InputPoint) return false;
   std::vector<double> around;
-  for (int j = 0; j < std::min(kNeighbors, neighbors.k); ++j)
+  for (int j = 0; j < std::min(kOutlierNeighbors, neighbors.k); ++j)
     around.push_back(all.spacing[neighbors.row(i)[j]]);
   return all.spacing[i] > kSparser * median(around);
 }
@@ -41,7 +40,7 @@ bool isAfloat(const Representatives& all, double usual_spacing, Index i) {
 // Groups of linked representatives; those off the surface stay alone.
 DisjointSets linkedGroups(const OutlierParameters& parameters, const Representatives& all,
                           const NeighborTable& neighbors) {
-  const int looked_at = std::min(kNeighbors, neighbors.k);
+  const int looked_at = std::min(kOutlierNeighbors, neighbors.k);
   std::vector<char> off(all.position.size());
   std::vector<double> spacings = all.spacing;
   const double usual = median(spacings);

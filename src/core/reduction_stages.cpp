@@ -53,8 +53,9 @@ Representatives unreduced(const PointSet& points) {
 // Asks for as many neighbours as the triangulation will.
 std::vector<Index> dropOutliers(const Context& context, KnownNeighbors& neighbors, Reconstruction& result) {
   const MultiresolutionParameters& parameters = result.noise.parameters;
-  const NeighborTable& table = neighbors.of(result.representatives.position,
-                                            std::max(12, parameters.triangulation.neighbors), context);
+  const NeighborTable& table =
+      neighbors.of(result.representatives.position,
+                   std::max(kOutlierNeighbors, parameters.triangulation.neighbors), context);
   return core::dropOutliers(parameters.outliers, table, result.representatives, result.clusters);
 }
 

@@ -5,12 +5,15 @@
 
 namespace mlsmesh::core {
 
+/// Neighbours of every representative that dropOutliers reads.
+constexpr int kOutlierNeighbors = 12;
+
 /// Drops representatives of points that belong to no surface, and their clusters: those not linked to others,
 /// small floating groups, and larger groups that are both far sparser than the main one and spread in all
 /// directions. Two representatives are linked if their distance is within a few local spacings of the cloud
 /// at *both*, so that a test for density is never needed and gradients of density stay linked. Returns the
-/// points of the dropped clusters, ascending. Of `neighbors`, those of the representatives, 12 each are read.
-/// O(n log n).
+/// points of the dropped clusters, ascending. Of `neighbors`, those of the representatives, kOutlierNeighbors
+/// each are read. O(n log n).
 std::vector<Index> dropOutliers(const OutlierParameters& parameters, const NeighborTable& neighbors,
                                 Representatives& representatives, IndexLists& clusters);
 
