@@ -235,8 +235,8 @@ std::optional<Index> ComponentTopology::genus() const {
 }
 
 MeshTopology meshTopology(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
-  constexpr std::size_t most = std::numeric_limits<Index>::max();
-  if (vertices.size() > most)
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max();
+  if (vertices.size() > kMost)
     throw core::Failure(StatusCode::IndexOverflow, "the mesh has more vertices than 32-bit indices can name");
   const auto count = static_cast<Index>(vertices.size());
   const EdgeTable edges(count, facesWithThreeCorners(triangles, count));

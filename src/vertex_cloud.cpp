@@ -25,7 +25,7 @@ using Byte = std::uint8_t;
 // Calls visit(T()) with the numeric type of a field; false if PCL knows no such type.
 template <typename Visit>
 bool withType(Byte datatype, const Visit& visit) {
-  switch (datatype) {
+  switch (datatype) {  // NOLINT(bugprone-branch-clone): the types differ
     case PCLPointField::BOOL:
       return visit(bool()), true;
     case PCLPointField::INT8:

@@ -117,7 +117,7 @@ class Front {
 
   bool mayRetry(Index half_edge) {
     if (retries_.size() <= static_cast<std::size_t>(half_edge)) {
-      retries_.resize(static_cast<std::size_t>(3 * mesh_.slotCount()), 0);
+      retries_.resize(3 * static_cast<std::size_t>(mesh_.slotCount()), 0);
     }
     return retries_[half_edge]++ < kRetries;
   }

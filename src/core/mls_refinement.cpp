@@ -33,7 +33,7 @@ struct EdgeNumbers {
 
 EdgeNumbers numberEdges(const HalfEdgeMesh& mesh) {
   EdgeNumbers numbers;
-  numbers.of_half.resize(static_cast<std::size_t>(3 * mesh.slotCount()));
+  numbers.of_half.resize(3 * static_cast<std::size_t>(mesh.slotCount()));
   for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
     const Index g = mesh.twin(h);
     if (g != kNone && g < h) {

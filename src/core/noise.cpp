@@ -41,7 +41,7 @@ Quadric basis(double u, double v) {
 // Residual sqrt(RSS / (k - 6)) of the quadric over these neighbours, in their principal frame.
 double residualOf(const std::vector<Vec3>& points, const Index* neighbors, int count) {
   Vec3 mean = Vec3::Zero();
-  const Vec3 reference = points[neighbors[0]];
+  const Vec3& reference = points[neighbors[0]];
   for (int i = 0; i < count; ++i) mean += points[neighbors[i]] - reference;
   mean = reference + mean / count;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

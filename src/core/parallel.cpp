@@ -86,6 +86,7 @@ void parallelBlocks(const Context& context, std::size_t count, std::size_t block
   if (count == 0) return;
   BlockLoop loop(context.progress, count, std::max<std::size_t>(block, 1), body);
   const std::size_t blocks = loop.blockCount();
+  // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the pragma reads it
   const int threads = static_cast<int>(std::min<std::size_t>(blocks, threadCount(context.threads)));
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t index = 0; index < blocks; ++index) loop.run(index, omp_get_thread_num() == 0);

@@ -37,8 +37,8 @@ class PolygonFiller {
         beyond_(polygon.beyond),
         rule_(rule),
         size_(static_cast<int>(polygon.vertex.size())) {
-    weight_.resize(static_cast<std::size_t>(size_ * size_));
-    middle_.assign(static_cast<std::size_t>(size_ * size_), -1);
+    weight_.resize(cells());
+    middle_.assign(cells(), -1);
   }
 
   std::vector<Triangle> run() {
@@ -53,8 +53,12 @@ class PolygonFiller {
   }
 
  private:
-  Weight& weight(int i, int j) { return weight_[static_cast<std::size_t>(i * size_ + j)]; }
-  int& middle(int i, int j) { return middle_[static_cast<std::size_t>(i * size_ + j)]; }
+  std::size_t cells() const { return static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_); }
+  std::size_t cell(int i, int j) const {
+    return static_cast<std::size_t>(i) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(j);
+  }
+  Weight& weight(int i, int j) { return weight_[cell(i, j)]; }
+  int& middle(int i, int j) { return middle_[cell(i, j)]; }
   const Vec3& at(int i) const { return points_[polygon_[i]]; }
 
   bool isFree(int i, int j) const {

@@ -117,7 +117,7 @@ class Vicinity {
 class Seams {
  public:
   Seams(const HalfEdgeMesh& mesh, std::vector<Rim> rims)
-      : mesh_(mesh), rims_(std::move(rims)), role_(rims_.size(), kNoSeam), groups_(rims_.size()) {}
+      : mesh_(mesh), rims_(std::move(rims)), role_(rims_.size(), NoSeam), groups_(rims_.size()) {}
 
   SeamCount count() {
     std::vector<Vec3> middles;
@@ -130,7 +130,7 @@ class Seams {
   }
 
  private:
-  enum Role : unsigned char { kNoSeam, kNearSide, kFarSide };  // of an edge; near: the mesh is a fold there
+  enum Role : unsigned char { NoSeam, NearSide, FarSide };  // of an edge; near: the mesh is a fold there
 
   // The other edges of the same component that are near.
   std::vector<Index> around(const NeighborSearch& search, Index i) const {
@@ -156,7 +156,7 @@ class Seams {
                    across.end());
       if (!across.empty()) vicinity.centreOn(rims_[i].triangle);
       for (const Index j : across) {
-        const Role role = vicinity.contain(rims_[j].triangle) ? kNearSide : kFarSide;
+        const Role role = vicinity.contain(rims_[j].triangle) ? NearSide : FarSide;
         role_[i] = std::max(role_[i], role);
         role_[j] = std::max(role_[j], role);
       }
@@ -165,9 +165,9 @@ class Seams {
 
   void join(const NeighborSearch& search) {
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
-      if (role_[i] == kNoSeam) continue;
+      if (role_[i] == NoSeam) continue;
       for (const Index j : around(search, i)) {
-        if (role_[j] != kNoSeam) groups_.join(i, j);
+        if (role_[j] != NoSeam) groups_.join(i, j);
       }
     }
   }
@@ -176,10 +176,10 @@ class Seams {
     std::vector<Index> edges(rims_.size(), 0), far(rims_.size(), 0);
     std::vector<double> length(rims_.size(), 0);
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
-      if (role_[i] == kNoSeam) continue;
+      if (role_[i] == NoSeam) continue;
       const Index group = groups_.leader(i);
       ++edges[group];
-      far[group] += role_[i] == kFarSide ? 1 : 0;
+      far[group] += role_[i] == FarSide ? 1 : 0;
       length[group] += rims_[i].length / 2;
     }
     SeamCount count;

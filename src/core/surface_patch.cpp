@@ -34,7 +34,7 @@ struct PrincipalAxes {
 template <typename Weight>
 PrincipalAxes principalAxes(const std::vector<Vec3>& points, const Index* members, int count,
                             const Weight& weight) {
-  const Vec3 origin = points[members[0]];
+  const Vec3& origin = points[members[0]];
   Vec3 mean = Vec3::Zero();
   double total = 0;
   for (int i = 0; i < count; ++i) {
@@ -148,7 +148,7 @@ Eigen::Vector2d steepest(const Quadric& quadric) {
 double foldedResidual(const Quadric& quadric, const std::vector<Vec3>& points, const Index* members,
                       int count) {
   const Eigen::Vector2d across = steepest(quadric);
-  std::array<char, kMostPoints> side{};
+  std::array<unsigned char, kMostPoints> side{};
   for (int i = 0; i < count; ++i) {
     const Vec3 local = quadric.local(points[members[i]]);
     side[static_cast<std::size_t>(i)] = across[0] * local[1] + across[1] * local[2] > 0;
@@ -158,7 +158,7 @@ double foldedResidual(const Quadric& quadric, const std::vector<Vec3>& points, c
     std::array<std::array<Index, kMostPoints>, 2> parts;
     std::array<int, 2> size{};
     for (int i = 0; i < count; ++i) {
-      const std::size_t s = static_cast<std::size_t>(side[static_cast<std::size_t>(i)]);
+      const std::size_t s = side[static_cast<std::size_t>(i)];
       parts[s][static_cast<std::size_t>(size[s]++)] = members[i];
     }
     if (std::min(size[0], size[1]) < kLeastPart) return residual;
