@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program.h"
+#include "view_fixture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -14,21 +13,6 @@
 
 namespace mlsmesh::test {
 namespace {
-
-constexpr const char* kTetrahedron =
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
-
-bool dropDisplay() {
-  return unsetenv("DISPLAY") == 0;
-}
-
-Outcome runView(const std::vector<std::string>& arguments,
-                const std::function<bool()>& prepare = dropDisplay) {
-  const TemporaryFolder prints;
-  return Program(MLSMESH_VIEW, arguments, prints.path(), prepare).wait();
-}
 
 bool isInPath(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -49,13 +33,6 @@ std::vector<int> sizeOfPng(const std::string& content) {
     size.push_back(value);
   }
   return size;
-}
-
-void expectOneLine(const Outcome& outcome, int exit_code, const std::string& culprit) {
-  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-  EXPECT_EQ(outcome.err.rfind("mlsmesh_view: ", 0), 0U) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find(culprit), std::string::npos) << outcome.err;
 }
 
 TEST(View, DrawsWithoutADisplay) {
@@ -129,18 +106,6 @@ TEST(View, SaysWhyACloudHasNoMesh) {
   expectOneLine(runView({line, "--show", "mesh", "--screenshot", folder.file("picture.png")}), 1,
                 "line.xyz: ");
   EXPECT_EQ(folder.names().size(), 1U);
-}
-
-/// Points on a sphere, by the golden angle, without those near its poles.
-std::string bandText() {
-  constexpr int kCount = 1500;
-  std::string text;
-  for (int i = 0; i < kCount; ++i) {
-    const double z = 0.8 * (2 * (i + 0.5) / kCount - 1), radius = std::sqrt(1 - z * z), angle = 2.399963 * i;
-    text += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + " " +
-            std::to_string(z) + "\n";
-  }
-  return text;
 }
 
 TEST(View, ShowsEachModeInAPictureOfItsOwn) {
