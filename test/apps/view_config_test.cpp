@@ -86,6 +86,17 @@ TEST_F(ViewConfig, CommandLineWins) {
             picture({"--show", "borders", "--size", "240x160"}));
 }
 
+TEST_F(ViewConfig, AnOptionThatIsOnTakesNoFileForItsValue) {
+  const auto shown = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = runView(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return readFile(picture_);
+  };
+  const std::string expected =
+      shown({mesh_, "--screenshot", picture_, "--size", "200x200", "--edges=true", "--flat=true"});
+  EXPECT_EQ(shown({"--size", "200x200", "--screenshot", picture_, "--flat", "-edges", mesh_}), expected);
+}
+
 TEST_F(ViewConfig, NamesFileLineAndRemedy) {
   expectError("levels = 1\nshwo = mesh\n", "2", "did you mean 'show'?");
   expectError("quite_another_thing = 1\n", "1", "wireframe");
