@@ -208,5 +208,50 @@ TEST(View, EscapeEndsAReconstructionAndTheWindowStays) {
   EXPECT_NE(readFile(before), readFile(after));
 }
 
+TEST(View, ANoticeIsNotInTheWayOfTheCloud) {
+  const TemporaryFolder folder;
+  const std::string line = folder.write("line.xyz", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n");
+  const std::string plain = folder.file("plain.png"), failed = folder.file("failed.png"),
+                    cloud = folder.file("cloud.png");
+  ASSERT_EQ(runView({line, "--size", "200x200", "--show", "cloud", "--script", "p=" + plain}).exit_code, 0);
+  ASSERT_EQ(runView({line, "--size", "200x200", "--script", "wait,p=" + failed + ",c,p=" + cloud}).exit_code,
+            0);
+  EXPECT_NE(readFile(failed), readFile(plain)) << "it says why there is no mesh";
+  EXPECT_EQ(readFile(cloud), readFile(plain));
+}
+
+TEST(View, WhatWasEndedIsFoundWhenAskedForAgain) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("band.xyz", bandText());
+  for (const std::string mode : {"defects", "distance"}) {
+    const std::string key = mode == "defects" ? "d" : "t";
+    const std::string direct = folder.file("direct.png"), again = folder.file("again.png");
+    const std::vector<std::string> options = {cloud, "--levels", "4", "--size", "200x200"};
+    std::vector<std::string> arguments = options;
+    arguments.insert(arguments.end(), {"--show", mode, "--screenshot", direct});
+    ASSERT_EQ(runView(arguments).exit_code, 0);
+    arguments = options;
+    arguments.insert(arguments.end(), {"--show", "mesh", "--screenshot", again, "--script",
+                                       "wait," + key + ",Escape,wait,Down,Up," + key});
+    const Outcome outcome = runView(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(readFile(direct), readFile(again)) << mode;
+  }
+}
+
+TEST(View, KeysWaitForDefectsAndDistances) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("band.xyz", bandText());
+  for (const std::string mode : {"defects", "distance"}) {
+    const std::string key = mode == "defects" ? "6" : "7";
+    const std::string at_once = folder.file("at_once.png"), waited = folder.file("waited.png");
+    const Outcome outcome = runView({cloud, "--levels", "4", "--size", "200x200", "--show", "mesh",
+                                     "--script", "wait," + key + ",p=" + at_once + ",wait,p=" + waited});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(readFile(at_once), readFile(waited)) << mode;
+  }
+}
+
 }  // namespace
 }  // namespace mlsmesh::test
