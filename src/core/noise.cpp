@@ -29,6 +29,7 @@ constexpr double kVeryNoisy = 0.4;  // from which all points are projected first
 constexpr double kThreePasses = 0.8;
 constexpr double kSheets = 0.5;     // share of the residual on one sheet from which it was sheets, not noise
 constexpr double kNoPlateau = 0.4;  // growth exponent above which the residual is shape, not noise
+constexpr double kShape = 4;        // residuals so many times that of the smallest size are shape, not noise
 
 using Quadric = Eigen::Matrix<double, 6, 1>;
 
@@ -138,13 +139,16 @@ Medians measure(const std::vector<Vec3>& points, const NeighborSearch& search, s
   return medians;
 }
 
-// The residual of the size at which it grows least; of the first where it grows everywhere.
+// The residual of the size at which it grows least; of the first where it grows everywhere. Noise is there at
+// the smallest size already (a third of it at least, though the frame follows it); what is so much larger is
+// the shape, whose residual stands still, too, once the neighbours are all around a thin part.
 double atPlateau(const std::vector<double>& residual) {
   double least_growth = kNoPlateau;
   double sigma = residual[0];
   for (std::size_t j = 1; j < residual.size(); ++j) {
     const double growth =
         std::log(residual[j] / residual[j - 1]) / std::log(static_cast<double>(kSizes[j]) / kSizes[j - 1]);
+    if (residual[j] > kShape * residual[0]) break;
     if (!(growth < least_growth)) continue;  // or both are 0
     least_growth = growth;
     sigma = residual[j];

@@ -50,6 +50,14 @@ TEST(NoiseEstimate, IsNextToNothingForCleanClouds) {
   EXPECT_LT(estimateOf(test::planeLattice(50, 50)).relative, 1e-9);
 }
 
+// Neighbourhoods of a hundred are all around its tube there, and their residuals stand still as those of noise do.
+TEST(NoiseEstimate, ATubeOfFewPointsIsNoNoise) {
+  const auto torus = shapes::makeShape("torus");
+  for (const std::size_t count : {400, 500, 600, 800})
+    for (const std::uint64_t seed : {1, 2, 3, 4})
+      EXPECT_LT(estimateOf(test::randomSample(*torus, count, seed)).relative, 0.1) << count << ", seed " << seed;
+}
+
 TEST(NoiseEstimate, GrowsWithTheCloud) {
   const Points points = noisySample(kShapes[1], 0.4, 1);
   test::Similarity motion;
