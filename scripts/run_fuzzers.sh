@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 seconds=${1:?usage: run_fuzzers.sh SECONDS [NAME...]}
 shift
-install_packages "$root/scripts/packages.txt" "$root/scripts/packages_check_all.txt"
+install_packages "$root/scripts/packages.txt" "$root/scripts/packages_sanitized.txt"
 build_preset fuzz fuzzers
 build=$root/build/fuzz
 names=("$@")
