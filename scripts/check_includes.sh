@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Checks what may include what: the core nothing of PCL, VTK or Boost; FLANN one file; no step another step; no cycles.
+# Checks what may include what: the core nothing of PCL, VTK, Boost or FLANN; no step another step; no cycles.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 cd "$root"
@@ -11,15 +11,12 @@ fault() {
   faults=$((faults + 1))
 }
 
-foreign=$(grep -rnE '#include [<"](pcl|vtk|boost|X11|nlohmann)' include/mlsmesh/core src/core || true)
-[ -z "$foreign" ] || fault "the core knows Eigen, FLANN and the standard library only: $foreign"
+foreign=$(grep -rnE '#include [<"](pcl|vtk|boost|flann|X11|nlohmann)' include/mlsmesh/core src/core || true)
+[ -z "$foreign" ] || fault "the core knows Eigen and the standard library only: $foreign"
 
 plain='core/[a-z_]+|parameters|status|progress|mesh_report|version'
 upward=$(grep -rnE '#include "(mlsmesh|apps)/' include/mlsmesh/core src/core | grep -vE "\"mlsmesh/($plain)\.h\"" || true)
 [ -z "$upward" ] || fault "the core must not include what stands above it: $upward"
-
-flann=$(grep -rlE '#include [<"]flann' include src apps || true)
-[ "$(wc -w <<< "$flann")" -le 1 ] || fault "FLANN belongs in one file, not in: $flann"
 
 steps='bsp_clustering|mls_reduction|advancing_front|advancing_front_triangulation|mls_refinement'
 for step in bsp_clustering mls_reduction advancing_front advancing_front_triangulation mls_refinement; do

@@ -178,7 +178,7 @@ CloudDistances measureCloud(const std::vector<Vec3>& points, const SoupView& mes
   result.non_finite = static_cast<Index>(points.size() - finite.size());
   result.diagonal = diagonalOf(finite);
   const std::vector<Vec3> distinct = distinctOf(finite);
-  const std::unique_ptr<core::NeighborSearch> search = core::makeKdTree(distinct);
+  const std::unique_ptr<core::NeighborSearch> search = core::makeKdTree(distinct, context);
   if (distinct.size() > 1) result.spacing = core::medianSpacing(distinct, *search, context);
 
   const TriangleTree tree(mesh.vertices, mesh.triangles);
@@ -203,7 +203,7 @@ std::vector<double> distancesFromMesh(const std::vector<Vec3>& points, const Sou
 std::vector<double> distancesFromCloud(const std::vector<Vec3>& places, const std::vector<Vec3>& cloud,
                                        const core::Context& context) {
   if (cloud.empty()) throw core::Failure(StatusCode::EmptyInput, "the cloud has no point");
-  return distancesToPoints(places, *core::makeKdTree(cloud), context);
+  return distancesToPoints(places, *core::makeKdTree(cloud, context), context);
 }
 
 SurfaceDistances measureSurface(const SoupView& mesh, const SoupView& truth, std::size_t samples,

@@ -79,8 +79,8 @@ bool countOriented(const std::vector<Triangle>& faces, const core::Context& cont
     }
     return duplicate;
   });
-  if (report.border_edges > 0) report.border_loops = static_cast<Index>(mesh.borderLoopEdges().size());
-  mesh.components(&report.components);
+  if (report.border_edges > 0) report.border_loops = static_cast<Index>(mesh.borderLoopEdges(context).size());
+  mesh.components(&report.components, context);
   const Index face_count = mesh.triangleCount();
   const Index edges = (3 * face_count + report.border_edges) / 2;
   report.euler = report.vertices - report.isolated_vertices - edges + face_count;
@@ -102,7 +102,8 @@ void countSoup(const std::vector<Vec3>& vertices, const std::vector<Triangle>& t
   report.euler = topology.euler;
 }
 
-/// All but the intersections.
+}  // namespace
+
 MeshReport reportTopology(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                           const core::Context& context) {
   constexpr std::size_t most = std::numeric_limits<Index>::max();
@@ -118,8 +119,6 @@ MeshReport reportTopology(const std::vector<Vec3>& vertices, const std::vector<T
     report.genus = (2 * report.components - report.euler - report.border_loops) / 2;
   return report;
 }
-
-}  // namespace
 
 MeshReport reportMesh(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
   return reportTopology(vertices, triangles, {});

@@ -151,8 +151,13 @@ bool isIntensity(const PCLPointField& field) {
 class VertexCloudWriter {
  public:
   VertexCloudWriter(const Source& input, const VertexData& data, const VertexSources& sources,
-                    pcl::PCLPointCloud2& output)
-      : input_(input), data_(data), sources_(sources), output_(output), count_(data.position.size()) {
+                    const core::Context& context, pcl::PCLPointCloud2& output)
+      : input_(input),
+        data_(data),
+        sources_(sources),
+        context_(context),
+        output_(output),
+        count_(data.position.size()) {
     checkSources();
     planColumns();
     layOut();
@@ -160,6 +165,7 @@ class VertexCloudWriter {
 
   void write() {
     for (const Column& column : columns_) {
+      context_.checkCancelled();
       if (!column.from) continue;
       if (isPackedColour(*column.from) || isByteColour(*column.from)) {
         averageBytes(column);
@@ -255,7 +261,11 @@ class VertexCloudWriter {
   const Index* members(std::size_t vertex) const { return sources_.members.data(static_cast<Index>(vertex)); }
 
   void copyNearest(const Column& column) {
-    for (std::size_t v = 0; v < count_; ++v) copyNearest(column, v);
+    core::CancelCheck check(context_);
+    for (std::size_t v = 0; v < count_; ++v) {
+      check();
+      copyNearest(column, v);
+    }
   }
 
   void copyNearest(const Column& column, std::size_t v) {
@@ -263,8 +273,10 @@ class VertexCloudWriter {
   }
 
   void averageBytes(const Column& column) {
+    core::CancelCheck check(context_);
     const std::size_t channels = fieldSize(column.to);
     for (std::size_t v = 0; v < count_; ++v) {
+      check();
       if (!hasParents(v) && memberCount(v) == 0) {
         copyNearest(column, v);
         continue;
@@ -289,8 +301,10 @@ class VertexCloudWriter {
   // Values that are not finite do not count. Sorting makes the sum independent of the order of the members.
   template <typename T>
   void averageNumbers(const Column& column) {
+    core::CancelCheck check(context_);
     std::vector<double> values;
     for (std::size_t v = 0; v < count_; ++v) {
+      check();
       values.clear();
       const auto take = [&](const Byte* from) {
         const double value = static_cast<double>(load<T>(from));
@@ -333,6 +347,7 @@ class VertexCloudWriter {
   void fill(const char* name, const Value& value) {
     for (const Column& column : columns_) {
       if (column.to.name != name || column.from) continue;
+      context_.checkCancelled();
       for (std::size_t v = 0; v < count_; ++v) store(at(v, column), static_cast<T>(value(v)));
     }
   }
@@ -340,6 +355,7 @@ class VertexCloudWriter {
   const Source& input_;
   const VertexData& data_;
   const VertexSources& sources_;
+  const core::Context& context_;
   pcl::PCLPointCloud2& output_;
   const std::size_t count_;
   std::vector<Column> columns_;
@@ -369,7 +385,8 @@ std::vector<double> levelCurvature(const core::Reconstruction& reconstruction, s
 
 }  // namespace
 
-std::vector<Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredAs& stored_as) {
+std::vector<Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredAs& stored_as,
+                                 const core::Context& context) {
   const Source source(cloud);
   std::vector<Vec3> positions(source.size());
   stored_as = core::StoredAs::Float;
@@ -379,6 +396,7 @@ std::vector<Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredA
     if (!field)
       throw Failure(StatusCode::EmptyInput, std::string("the cloud has no field '") + names[axis] + "'");
     if (field->datatype == PCLPointField::FLOAT64) stored_as = core::StoredAs::Double;
+    context.checkCancelled();
     withType(field->datatype, [&](auto type) {
       for (std::size_t i = 0; i < positions.size(); ++i) {
         positions[i][axis] = static_cast<double>(load<decltype(type)>(source.at(i, *field)));
@@ -389,16 +407,19 @@ std::vector<Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredA
 }
 
 void makeVertexCloud(const pcl::PCLPointCloud2& input, const VertexData& data, const VertexSources& sources,
-                     pcl::PCLPointCloud2& output) {
+                     pcl::PCLPointCloud2& output, const core::Context& context) {
   const Source source(input);
-  VertexCloudWriter(source, data, sources, output).write();
+  VertexCloudWriter(source, data, sources, context, output).write();
 }
 
-core::IndexLists inputIndices(const core::PointSet& points, const core::IndexLists& lists) {
+core::IndexLists inputIndices(const core::PointSet& points, const core::IndexLists& lists,
+                              const core::Context& context) {
+  core::CancelCheck check(context);
   core::IndexLists result;
   result.begin.reserve(lists.begin.size());
   result.items.reserve(lists.items.size());
   for (Index list = 0; list < lists.count(); ++list) {
+    check();
     for (Index i = 0; i < lists.size(list); ++i) {
       const Index point = lists.data(list)[i];
       const Index* inputs = points.duplicates_of.data(point);
@@ -412,15 +433,19 @@ core::IndexLists inputIndices(const core::PointSet& points, const core::IndexLis
   return result;
 }
 
-std::vector<pcl::Vertices> toPolygons(const std::vector<core::Triangle>& triangles) {
+std::vector<pcl::Vertices> toPolygons(const std::vector<core::Triangle>& triangles,
+                                      const core::Context& context) {
+  core::CancelCheck check(context);
   std::vector<pcl::Vertices> polygons(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    check();
     polygons[i].vertices.assign(triangles[i].begin(), triangles[i].end());
+  }
   return polygons;
 }
 
 void makeLevelCloud(const core::Reconstruction& reconstruction, Index level, const pcl::PCLPointCloud2& input,
-                    pcl::PCLPointCloud2& output) {
+                    pcl::PCLPointCloud2& output, const core::Context& context) {
   const core::RefinedMesh& mesh = reconstruction.mesh;
   const core::PointSet& points = reconstruction.points;
   checkLevel(mesh, level);
@@ -429,29 +454,36 @@ void makeLevelCloud(const core::Reconstruction& reconstruction, Index level, con
   VertexSources sources;
   data.stored_as = points.stored_as;
   data.normal.assign(mesh.normal.begin(), mesh.normal.begin() + static_cast<std::ptrdiff_t>(count));
+  context.checkCancelled();
   data.curvature = levelCurvature(reconstruction, count);
+  data.position.reserve(count);
+  sources.nearest.reserve(count);
+  core::CancelCheck check(context);
   for (std::size_t v = 0; v < count; ++v) {
+    check();
     data.position.push_back(points.world(mesh.position[v]));
     sources.nearest.push_back(points.source[mesh.nearest[v]]);
   }
-  sources.members = inputIndices(points, reconstruction.clusters);
+  sources.members = inputIndices(points, reconstruction.clusters, context);
   sources.parents = mesh.parents;
-  makeVertexCloud(input, data, sources, output);
+  makeVertexCloud(input, data, sources, output, context);
 }
 
 void makePolygonMesh(const core::Reconstruction& reconstruction, Index level,
-                     const pcl::PCLPointCloud2& input, pcl::PolygonMesh& output) {
+                     const pcl::PCLPointCloud2& input, pcl::PolygonMesh& output,
+                     const core::Context& context) {
   checkLevel(reconstruction.mesh, level);
   output.header = input.header;
-  makeLevelCloud(reconstruction, level, input, output.cloud);
-  output.polygons = toPolygons(reconstruction.mesh.level_triangles[level]);
+  makeLevelCloud(reconstruction, level, input, output.cloud, context);
+  output.polygons = toPolygons(reconstruction.mesh.level_triangles[level], context);
 }
 
 void makePolygonMesh(const core::RefinedMesh& mesh, Index level, const pcl::PCLPointCloud2& finest,
-                     pcl::PolygonMesh& output) {
+                     pcl::PolygonMesh& output, const core::Context& context) {
   checkLevel(mesh, level);
   const std::size_t bytes = static_cast<std::size_t>(mesh.level_vertices[level]) * finest.point_step;
-  std::vector<pcl::Vertices> polygons = toPolygons(mesh.level_triangles[level]);
+  std::vector<pcl::Vertices> polygons = toPolygons(mesh.level_triangles[level], context);
+  context.checkCancelled();
   output.header = finest.header;
   output.cloud = pcl::PCLPointCloud2();
   output.cloud.header = finest.header;

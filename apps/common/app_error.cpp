@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/app_error.h"
 
+#include "common/interrupt.h"
+
 #include <iostream>
 #include <new>
 
@@ -46,6 +48,7 @@ void printWarning(const std::string& program, const std::string& message) {
 
 int runProgram(const std::string& program, const std::function<int()>& work) {
   try {
+    endOnInterrupt(program);
     return work();
   } catch (const AppError& error) {
     return fail(program, error.exitCode(), error.what());

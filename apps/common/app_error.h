@@ -34,7 +34,7 @@ std::string oneLine(const std::string& text);
 void printWarning(const std::string& program, const std::string& message);
 
 /// Runs `work` and returns its exit code; what it throws becomes exactly one line "PROGRAM: MESSAGE" on
-/// stderr and the matching exit code.
+/// stderr and the matching exit code. SIGINT and SIGTERM end it as endOnInterrupt says.
 int runProgram(const std::string& program, const std::function<int()>& work);
 
 }  // namespace mlsmesh::apps

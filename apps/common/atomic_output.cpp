@@ -50,11 +50,13 @@ void checkTarget(const fs::path& target) {
   }
 }
 
-fs::path createTemporary(const fs::path& folder, const fs::path& target) {
+fs::path createTemporary(const fs::path& folder, const fs::path& target,
+                         std::optional<RemovedOnInterrupt>& removed_on_interrupt) {
   static std::atomic<int> counter{0};
   for (;;) {
     fs::path name =
         folder / (".mlsmesh-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".tmp");
+    removed_on_interrupt.emplace(name.string());
     const int file = open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {
       close(file);
@@ -71,7 +73,7 @@ fs::path createTemporary(const fs::path& folder, const fs::path& target) {
 
 AtomicOutput::AtomicOutput(const fs::path& target) : target_(target), resolved_(resolve(target)) {
   checkTarget(target_);
-  temporary_ = createTemporary(folderOf(resolved_), target_);
+  temporary_ = createTemporary(folderOf(resolved_), target_, removed_on_interrupt_);
 }
 
 AtomicOutput::~AtomicOutput() {
@@ -82,11 +84,13 @@ AtomicOutput::~AtomicOutput() {
 AtomicOutput::AtomicOutput(AtomicOutput&& other) noexcept
     : target_(std::move(other.target_)),
       resolved_(std::move(other.resolved_)),
-      temporary_(std::move(other.temporary_)) {
+      temporary_(std::move(other.temporary_)),
+      removed_on_interrupt_(std::move(other.removed_on_interrupt_)) {
   other.temporary_.clear();
 }
 
 void AtomicOutput::commit() {
+  InterruptsWait wait;
   std::error_code error;
   fs::rename(temporary_, resolved_, error);
   if (error) {
@@ -94,6 +98,7 @@ void AtomicOutput::commit() {
                     "cannot be put in place (" + error.message() + "); choose another folder");
   }
   temporary_.clear();
+  wait.inPlace();
 }
 
 void AtomicOutput::withdraw() {
@@ -102,6 +107,7 @@ void AtomicOutput::withdraw() {
 }
 
 void commitAll(std::vector<AtomicOutput>& outputs) {
+  const InterruptsWait wait;
   try {
     for (AtomicOutput& output : outputs) output.commit();
   } catch (const AppError&) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/interrupt.h"
+
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace mlsmesh::apps {
 
 /// A file that appears whole or not at all: written under a temporary name in the folder of `target`, then
-/// renamed. A target that is a symbolic link stays one; the file it points to is replaced.
+/// renamed. Removed by an interrupt (endOnInterrupt). A target that is a symbolic link stays one; the file it
+/// points to is replaced.
 class AtomicOutput {
  public:
   /// Creates the (empty) temporary file. Throws AppError that names `target` if its folder is absent or not
@@ -31,9 +35,10 @@ class AtomicOutput {
   std::filesystem::path target_;
   std::filesystem::path resolved_;
   std::filesystem::path temporary_;  ///< empty once renamed
+  std::optional<RemovedOnInterrupt> removed_on_interrupt_;  ///< the temporary file
 };
 
-/// Commits all; if one fails, the others are withdrawn. Throws AppError.
+/// Commits all; if one fails, the others are withdrawn. Interrupts wait meanwhile. Throws AppError.
 void commitAll(std::vector<AtomicOutput>& outputs);
 
 /// Throws AppError, as AtomicOutput would, if `target` could not be written now.

@@ -13,6 +13,7 @@
 #include <pcl/io/ply_io.h>
 
 #include <array>
+#include <cstdlib>
 #include <new>
 
 namespace mlsmesh::apps {
@@ -35,8 +36,16 @@ void readWithPcl(const fs::path& file, const std::string& format, const Read& re
   if (result < 0) throw damagedFile(file.string(), format);
 }
 
+// Throws std::bad_alloc if there is no room for what PCL's reader takes, the file, its points and a copy of
+// them: where there is none it calls the file damaged, or writes through a null pointer.
+void checkRoom(const fs::path& file, std::uintmax_t point_bytes) {
+  void* volatile room = std::malloc(static_cast<std::size_t>(fs::file_size(file) + 2 * point_bytes));
+  if (room == nullptr) throw std::bad_alloc();
+  std::free(room);
+}
+
 void readPcd(const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  checkPcdHeader(file);
+  checkRoom(file, checkPcdHeader(file));
   readWithPcl(file, "PCD", [&] { return pcl::PCDReader().read(file.string(), cloud); });
 }
 

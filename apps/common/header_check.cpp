@@ -257,7 +257,7 @@ void checkPlyVertex(const PlyElement& vertex, const fs::path& file) {
 
 }  // namespace
 
-void checkPcdHeader(const fs::path& file) {
+std::uintmax_t checkPcdHeader(const fs::path& file) {
   const PcdHeader header = readPcdHeader(file);
   const PointSize point = pcdPointSize(header, file);
   const std::uintmax_t points = header.count("POINTS", file);
@@ -271,11 +271,15 @@ void checkPcdHeader(const fs::path& file) {
   if (points == 0) throw fileError(file.string(), "holds no points (POINTS 0); give a file with points");
   if (storage == "ascii") {
     checkSize(file, available + 1, "points", points, 2 * point.values);
-    return checkRows(file, header.data_offset, points, point.values);
+    checkRows(file, header.data_offset, points, point.values);
+  } else if (storage == "binary") {
+    checkSize(file, available, "points", points, point.bytes);
+  } else if (storage == "binary_compressed") {
+    checkCompressed(file, header, points, point);
+  } else {
+    throw badHeader(file, "DATA is neither ascii, binary nor binary_compressed");
   }
-  if (storage == "binary") return checkSize(file, available, "points", points, point.bytes);
-  if (storage == "binary_compressed") return checkCompressed(file, header, points, point);
-  throw badHeader(file, "DATA is neither ascii, binary nor binary_compressed");
+  return points * point.bytes;
 }
 
 std::size_t checkPlyHeader(const fs::path& file) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 namespace mlsmesh::apps {
@@ -9,7 +10,8 @@ namespace mlsmesh::apps {
 // sense, and that the file is long enough for what the header announces (they allocate by the header, and
 // read garbage, or crash). Each throws AppError that names the file, the fault and the remedy.
 
-void checkPcdHeader(const std::filesystem::path& file);
+/// Returns the bytes that its points take in memory.
+std::uintmax_t checkPcdHeader(const std::filesystem::path& file);
 /// Also refuses the vertex properties that pcl::PLYReader misplaces: lists, and colours not in the order red,
 /// green, blue (, alpha). Returns the number of vertices announced.
 std::size_t checkPlyHeader(const std::filesystem::path& file);

@@ -71,7 +71,7 @@ std::string textOf(const Json& task) {
 class Run {
  public:
   explicit Run(const CompareOptions& options)
-      : options_(options), folder_(options.output), bar_(!options.quiet), guard_(progress_) {
+      : options_(options), folder_(options.output), bar_(!options.quiet) {
     comparison_.limit_seconds = options.limit_seconds;
     comparison_.memory_bytes = options.memory_bytes;
     comparison_.threads = options.threads;
@@ -283,7 +283,6 @@ class Run {
   const CompareOptions& options_;
   OutputFolder folder_;
   ProgressBar bar_;
-  Progress progress_;
   InterruptGuard guard_;
   Comparison comparison_;
   std::set<std::string> names_;

@@ -32,6 +32,9 @@ po::options_description visibleOptions() {
   auto add = options.add_options();
   add("all-levels", "also write the mesh of every level: OUTPUT's stem with .L0, .L1, ...");
   add("json", text("FILE"), "write counts, times and memory as JSON");
+  add("memory-limit", text("MB"),
+      "refuse a cloud that may need more memory, before any work on it, and say how much; an estimate from "
+      "above");
   add("quiet", "print nothing but warnings and errors");
   add("list-parameters", text("FORMAT")->implicit_value("text"),
       "print all parameters as text, markdown or config (a config file), and end");
@@ -60,7 +63,8 @@ std::string helpText() {
        << "\nParameters (lengths in multiples of spacing; also in config files as 'name = value'):\n"
        << parameterHelp()
        << "\nOptions can be written --name value, --name=value or, as in PCL's tools, -name value.\n"
-       << "Exit codes: 0 done, 1 input, output or computation failed, 2 wrong usage, 130 interrupted.\n";
+       << "Exit codes: 0 done, 1 input, output or computation failed, 2 wrong usage, 130 or 143 "
+          "interrupted.\n";
   return text.str();
 }
 
@@ -81,6 +85,15 @@ std::string textToPrint(const po::variables_map& values, const MultiresolutionPa
   if (values.count("version")) return std::string(kProgram) + " " + MLSMESH_VERSION + "\n";
   if (values.count("list-parameters")) return parameterList(textOf(values, "list-parameters"), parameters);
   return {};
+}
+
+double memoryLimit(const po::variables_map& values) {
+  if (values.count("memory-limit") == 0) return 0;
+  const std::string text = textOf(values, "memory-limit");
+  const double megabytes = numberFromText("--memory-limit", text);
+  if (!(megabytes > 0))
+    throw usageError("--memory-limit", "cannot be " + text + "; give megabytes, more than 0");
+  return megabytes;
 }
 
 void setFiles(const po::variables_map& values, Options& options) {
@@ -104,6 +117,7 @@ Options parseOptions(int argc, const char* const* argv) {
   Options options;
   options.quiet = values.count("quiet") != 0;
   options.config = textOf(values, "config");
+  options.memory_limit = memoryLimit(values);
   static_cast<ReconstructionOptions&>(options) = reconstructionOptions(values);
   options.text = textToPrint(values, options.parameters);
   if (options.text.empty()) {

@@ -20,6 +20,7 @@ struct Options : ReconstructionOptions {
   std::filesystem::path output;
   std::filesystem::path config;  ///< empty if none
   std::filesystem::path json;    ///< empty if none
+  double memory_limit = 0;       ///< megabytes (2^20 bytes); 0 = none
   bool quiet = false;
 };
 

@@ -6,14 +6,15 @@
 #include "common/cloud_columns.h"
 #include "common/cloud_io.h"
 #include "common/cloud_reconstruction.h"
-#include "common/interrupt.h"
 #include "common/mesh_io.h"
 #include "common/progress_bar.h"
 #include "mlsmesh/core/failure.h"
+#include "mlsmesh/memory_estimate.h"
 #include "mlsmesh/vertex_cloud.h"
 #include "reconstruct/summary.h"
 
 #include <chrono>
+#include <cmath>
 #include <iostream>
 
 namespace mlsmesh::apps {
@@ -80,7 +81,6 @@ void writeLevels(const pcl::PCLPointCloud2& cloud, const Options& options, RunRe
   makeLevelCloud(report.result, finest, cloud, vertices);
   for (const std::string& loss : lossesOf(options.output, vertices)) report.warnings.push_back(loss);
   const auto write = [&](const pcl::PolygonMesh& level_mesh, const fs::path& target) {
-    InterruptGuard::check();
     outputs.emplace_back(target);
     writeMesh(outputs.back().temporary(), target, level_mesh);
   };
@@ -101,26 +101,52 @@ void writeJson(const Options& options, const RunReport& report, std::vector<Atom
   writeFile(outputs.back().temporary(), jsonText(options, report), options.json);
 }
 
+/// Points of such a cloud that fit into so many bytes.
+std::size_t pointsThatFit(double bytes, const pcl::PCLPointCloud2& cloud, const Options& options) {
+  std::size_t fit = 0;
+  for (std::size_t step = pointCount(cloud); step > 0; step /= 2) {
+    const std::uint64_t needed = peakMemoryEstimate(fit + step, cloud.point_step, options.parameters);
+    if (static_cast<double>(needed) <= bytes) fit += step;
+  }
+  return fit;
+}
+
+/// Refuses a cloud that may need more than --memory-limit.
+void checkMemory(const pcl::PCLPointCloud2& cloud, const Options& options) {
+  constexpr double kMegabyte = 1 << 20;
+  if (options.memory_limit <= 0) return;
+  const auto taken = static_cast<double>(peakMemoryBytes());
+  const double limit = options.memory_limit * kMegabyte;
+  const double needed = taken + static_cast<double>(peakMemoryEstimate(pointCount(cloud), cloud.point_step,
+                                                                       options.parameters));
+  if (needed <= limit) return;
+  const auto megabytes = static_cast<std::uint64_t>(std::ceil(needed / kMegabyte));
+  const std::size_t fit = pointsThatFit(limit - taken, cloud, options);
+  throw fileError(
+      options.input.string(),
+      "may need " + std::to_string(megabytes) + " MB, more than --memory-limit allows; " +
+          (fit > 0 ? "thin it out to " + std::to_string(fit) + " points, or " : "") +
+          "ask for fewer --levels or larger clusters (--clustering.max_size), or raise the limit");
+}
+
 /// All the work; the progress bar is on the screen while it runs.
 RunReport run(const Options& options) {
   ProgressBar bar(!options.quiet);
   core::Context context;
   context.threads = options.threads;
   context.progress = Progress([&](const std::string& stage, double fraction) { bar.draw(stage, fraction); });
-  const InterruptGuard guard(context.progress);
   RunReport report;
   bar.draw("read", 0);
   const Stopwatch reading;
   pcl::PCLPointCloud2 cloud;
   readCloud(options.input, cloud);
   report.input_points = pointCount(cloud);
+  checkMemory(cloud, options);
   report.stages.push_back({"read", reading.seconds()});
-  InterruptGuard::check();
 
   const Status status =
       core::guarded([&] { report.result = reconstructCloud(cloud, options.parameters, context); });
   report.stages.insert(report.stages.end(), report.result.stages.begin(), report.result.stages.end());
-  InterruptGuard::check();
   if (!status.ok()) throw failureOf(options, status);
   for (const std::string& warning : context.warnings) {
     report.warnings.push_back(options.input.string() + ": " + warning);
@@ -130,7 +156,6 @@ RunReport run(const Options& options) {
   std::vector<AtomicOutput> outputs;
   writeLevels(cloud, options, report, outputs);
   writeJson(options, report, outputs);
-  InterruptGuard::check();
   commitAll(outputs);
   return report;
 }

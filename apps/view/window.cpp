@@ -2,7 +2,6 @@
 #include "view/window.h"
 
 #include "common/app_error.h"
-#include "common/interrupt.h"
 #include "common/progress_bar.h"
 #include "drawing/picture.h"
 #include "view/viewer.h"
@@ -92,7 +91,6 @@ class Session {
 void waitFor(Viewer& viewer) {
   ProgressBar bar(true);
   while (!viewer.isEnded() && (viewer.isBusy() || !viewer.isScriptDone())) {
-    InterruptGuard::check();
     viewer.tick();
     if (viewer.isBusy()) {
       bar.draw(viewer.stage(), viewer.fraction());
@@ -107,7 +105,6 @@ void writeScreenshot(std::vector<Subject>& subjects, const ViewOptions& options)
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   setUp(*window, kPictureSamples, options);
-  const InterruptGuard guard{Progress()};
   Viewer viewer(subjects, options, *window);
   waitFor(viewer);
   if (!viewer.failure().empty()) throw AppError(kExitFailure, viewer.failure());

@@ -65,6 +65,7 @@ class AdvancingFrontTriangulation : public detail::Step<pcl::MeshConstruction<Po
   void performReconstruction(std::vector<pcl::Vertices>& polygons) override {
     polygons.clear();
     this->run([&](core::Context& context) { polygons = triangulate(context); });
+    if (!this->status().ok()) polygons.clear();
   }
 
  private:
@@ -79,8 +80,11 @@ class AdvancingFrontTriangulation : public detail::Step<pcl::MeshConstruction<Po
     input.search = search.get();
     input.spacing = core::medianSpacing(points.position, *search, context);
     const core::Triangulation result = core::triangulate(input, parameters_, context);
+    context.progress.enterStage("output", 1.0);
+    core::CancelCheck check(context);
     std::vector<pcl::Vertices> polygons(result.triangles.size());
     for (std::size_t i = 0; i < polygons.size(); ++i) {
+      check();
       for (const core::Index corner : result.triangles[i]) {
         polygons[i].vertices.push_back(points.source[corner]);
       }

@@ -42,15 +42,19 @@ class BspClustering : public detail::SearchingStep<pcl::PCLBase<PointT>> {
       const core::PointSet points = this->preparePoints(core::StoredAs::Double, context);
       context.progress.enterStage("clustering", 1.0);
       const core::IndexLists lists =
-          inputIndices(points, core::clusterPoints(points.position, parameters_, context));
+          inputIndices(points, core::clusterPoints(points.position, parameters_, context), context);
+      context.progress.enterStage("output", 1.0);
+      core::CancelCheck check(context);
       std::vector<pcl::PointIndices> result(lists.count());
       for (core::Index i = 0; i < lists.count(); ++i) {
+        check();
         result[i].header = this->input_->header;
         result[i].indices.assign(lists.data(i), lists.data(i) + lists.size(i));
         std::sort(result[i].indices.begin(), result[i].indices.end());
       }
       clusters.swap(result);
     });
+    if (!this->status().ok()) clusters.clear();
   }
 
   /// The same as extract().

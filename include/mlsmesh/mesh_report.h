@@ -36,6 +36,9 @@ struct MeshReport {
 /// Counts in O(n log n). Faces with a repeated index, or one out of [0, vertices), are counted as degenerate and left out of
 /// all else; collinear faces and duplicates stay in. Throws core::Failure(IndexOverflow) beyond 2^31 - 1 half-edges.
 MeshReport reportMesh(const std::vector<core::Vec3>& vertices, const std::vector<core::Triangle>& triangles);
+/// The same on the context's threads. Also throws core::Failure(Cancelled).
+MeshReport reportTopology(const std::vector<core::Vec3>& vertices,
+                          const std::vector<core::Triangle>& triangles, const core::Context& context);
 /// The same with self_intersections, on the context's threads: exact, in O(n log n) where triangles do not pile up in
 /// one place. Also throws core::Failure(Cancelled).
 MeshReport reportMesh(const std::vector<core::Vec3>& vertices, const std::vector<core::Triangle>& triangles,

@@ -9,6 +9,7 @@
 
 #include <pcl/surface/reconstruction.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
   /// beside the 12 bytes a triangle of reconstruction().mesh.level_triangles. getLevel() makes one when
   /// asked.
   void compute() {
-    build([] {});
+    build([](const core::Context&) {});
   }
 
   /// The same as reconstruct().
@@ -60,42 +61,49 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
   }
 
   /// Refinement steps + 1 after a run that succeeded, else 0.
-  int getLevelCount() const { return static_cast<int>(reconstruction_.mesh.levelCount()); }
+  int getLevelCount() const { return static_cast<int>(reconstruction().mesh.levelCount()); }
 
   /// Replaces `output` by level `level`; empties it and returns false if there is no such level.
   bool getLevel(int level, pcl::PolygonMesh& output) const {
     detail::clear(output);
-    return core::guarded([&] { makePolygonMesh(reconstruction_.mesh, level, vertices(), output); }).ok();
+    const Status made =
+        core::guarded([&] { makePolygonMesh(reconstruction().mesh, level, vertices({}), output); });
+    if (!made.ok()) detail::clear(output);
+    return made.ok();
   }
 
   /// Topology of every level of the last run.
-  const std::vector<MeshReport>& reports() const { return reconstruction_.reports; }
+  const std::vector<MeshReport>& reports() const { return reconstruction().reports; }
   /// Wall-clock time of every stage of the last run, in order.
-  const std::vector<core::StageTime>& stages() const { return reconstruction_.stages; }
+  const std::vector<core::StageTime>& stages() const { return reconstruction().stages; }
   /// All that the last run made, as plain data; empty if it failed.
-  const core::Reconstruction& reconstruction() const { return reconstruction_; }
+  const core::Reconstruction& reconstruction() const { return reconstruction_ ? *reconstruction_ : nothing_; }
 
   std::string getClassName() const override { return "MlsMultiresolution"; }
 
  protected:
   void performReconstruction(pcl::PolygonMesh& output) override {
     detail::clear(output);
-    build([&] { makePolygonMesh(reconstruction_.mesh, getLevelCount() - 1, vertices(), output); });
+    build([&](const core::Context& context) {
+      makePolygonMesh(reconstruction().mesh, getLevelCount() - 1, vertices(context), output, context);
+    });
     if (!this->status().ok()) detail::clear(output);
   }
 
   void performReconstruction(pcl::PointCloud<PointT>& points, std::vector<pcl::Vertices>& polygons) override {
     detail::clear(points);
     polygons.clear();
-    build([&] {
-      polygons = toPolygons(reconstruction_.mesh.level_triangles.back());
-      detail::fromBlob(vertices(), points);
+    build([&](const core::Context& context) {
+      polygons = toPolygons(reconstruction().mesh.level_triangles.back(), context);
+      detail::fromBlob(vertices(context), points);
     });
-    if (!this->status().ok()) polygons.clear();
+    if (this->status().ok()) return;
+    detail::clear(points);
+    polygons.clear();
   }
 
  private:
-  // Runs the four steps, then hands over the result by write().
+  // Runs the four steps, then hands over the result by write(context).
   template <typename Write>
   void build(const Write& write) {
     reset();
@@ -105,31 +113,35 @@ class MlsMultiresolution : public detail::Step<pcl::SurfaceReconstruction<PointT
       const core::SearchFactory factory = [&](const core::PointSet& set) {
         return makeSearch<PointT>(set, this->tree_, context);
       };
-      reconstruction_ = core::reconstruct(std::move(points), factory, parameters_, context);
+      reconstruction_.emplace(core::reconstruct(std::move(points), factory, parameters_, context));
       computed_ = this->input_;
-      write();
+      context.progress.enterStage("output", 1.0);
+      write(context);
     });
     if (!this->status().ok()) reset();
   }
 
   // Of the finest level, with the fields of the cloud that was computed; made when first asked for.
-  const pcl::PCLPointCloud2& vertices() const {
+  const pcl::PCLPointCloud2& vertices(const core::Context& context) const {
     if (vertices_.fields.empty() && getLevelCount() > 0) {
-      pcl::PCLPointCloud2 input;
+      pcl::PCLPointCloud2 input, made;
       detail::toBlob(*computed_, input);
-      makeLevelCloud(reconstruction_, reconstruction_.mesh.levelCount() - 1, input, vertices_);
+      makeLevelCloud(reconstruction(), reconstruction().mesh.levelCount() - 1, input, made, context);
+      vertices_ = std::move(made);
     }
     return vertices_;
   }
 
+  // Takes no memory, which may be what has run out.
   void reset() {
-    reconstruction_ = {};
+    reconstruction_.reset();
     vertices_ = {};
     computed_.reset();
   }
 
   MultiresolutionParameters parameters_;
-  core::Reconstruction reconstruction_;
+  const core::Reconstruction nothing_;
+  std::optional<core::Reconstruction> reconstruction_;
   typename pcl::PointCloud<PointT>::ConstPtr computed_;
   mutable pcl::PCLPointCloud2 vertices_;
 };

@@ -67,33 +67,40 @@ class MlsReduction : public detail::SearchingStep<pcl::CloudSurfaceProcessing<Po
     this->run([&](core::Context& context) {
       core::check(projection_);
       const core::PointSet points = this->preparePoints(detail::storedAs<PointOutT>(), context);
-      core::IndexLists clusters = detail::clusterLists(points, clusters_, this->input_->size());
+      core::IndexLists clusters = detail::clusterLists(points, clusters_, this->input_->size(), context);
       const auto search = this->prepareSearch(points, context);
       context.progress.enterStage("reduction", 1.0);
       const core::MlsSurface surface(points.position, *search, projection_);
       const core::Representatives representatives =
           core::reducePoints(points, surface, clusters, parameters_, context);
-      write(points, clusters, representatives, output);
+      context.progress.enterStage("output", 1.0);
+      write(points, clusters, representatives, context, output);
     });
+    if (this->status().ok()) return;
+    detail::clear(output);
+    cluster_sizes_.clear();
   }
 
  private:
   void write(const core::PointSet& points, const core::IndexLists& clusters,
-             const core::Representatives& representatives, PointCloudOut& output) {
+             const core::Representatives& representatives, const core::Context& context,
+             PointCloudOut& output) {
+    core::CancelCheck check(context);
     VertexData data;
     VertexSources sources;
     data.stored_as = points.stored_as;
     data.normal = representatives.normal;
     data.curvature = representatives.variation;
     for (core::Index i = 0; i < representatives.size(); ++i) {
+      check();
       data.position.push_back(points.world(representatives.position[i]));
       data.cluster_size.push_back(clusters.size(i));
       sources.nearest.push_back(points.source[representatives.nearest[i]]);
     }
-    sources.members = inputIndices(points, clusters);
+    sources.members = inputIndices(points, clusters, context);
     pcl::PCLPointCloud2 input, vertices;
     detail::toBlob(*this->input_, input);
-    makeVertexCloud(input, data, sources, vertices);
+    makeVertexCloud(input, data, sources, vertices, context);
     cluster_sizes_ = std::move(data.cluster_size);
     detail::fromBlob(vertices, output);
   }

@@ -58,7 +58,9 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
   /// Replaces `output` by level `level`; empties it and returns false if there is no such level.
   bool getLevel(int level, pcl::PolygonMesh& output) const {
     detail::clear(output);
-    return core::guarded([&] { makePolygonMesh(mesh_, level, vertices_, output); }).ok();
+    const Status made = core::guarded([&] { makePolygonMesh(mesh_, level, vertices_, output); });
+    if (!made.ok()) detail::clear(output);
+    return made.ok();
   }
 
   /// The levels as plain data; positions are relative to origin().
@@ -79,16 +81,20 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
     vertices_ = {};
     this->run([&](core::Context& context) {
       core::RefinedMesh mesh = refine(context);
-      makePolygonMesh(mesh, mesh.levelCount() - 1, vertices_, output);
+      makePolygonMesh(mesh, mesh.levelCount() - 1, vertices_, output, context);
       mesh_ = std::move(mesh);
     });
+    if (this->status().ok()) return;
+    detail::clear(output);
+    mesh_ = {};
+    vertices_ = {};
   }
 
  private:
   core::RefinedMesh refine(core::Context& context) {
     core::check(parameters_);
     core::check(projection_);
-    const detail::InputMesh input = detail::readMesh(this->input_mesh_);
+    const detail::InputMesh input = detail::readMesh(this->input_mesh_, context);
     core::PointSet points = this->preparePoints(input.stored_as, context);
     const auto search = this->prepareSearch(points, context);
     const core::MlsSurface surface(points.position, *search, projection_);
@@ -101,12 +107,14 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
       core::addLevel(points, surface, spacing, parameters_, context, mesh);
     }
     origin_ = points.origin;
-    makeVertices(input, points, mesh);
+    context.progress.enterStage("output", 1.0);
+    makeVertices(input, points, mesh, context);
     return mesh;
   }
 
   void makeVertices(const detail::InputMesh& input, const core::PointSet& points,
-                    const core::RefinedMesh& mesh) {
+                    const core::RefinedMesh& mesh, const core::Context& context) {
+    core::CancelCheck check(context);
     VertexData data;
     VertexSources sources;
     data.stored_as = input.stored_as;
@@ -114,6 +122,7 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
     data.normal = mesh.normal;
     sources.parents = mesh.parents;
     for (std::size_t i = 0; i < mesh.position.size(); ++i) {
+      check();
       if (i < input.position.size()) {
         sources.nearest.push_back(static_cast<core::Index>(i));
         continue;
@@ -124,7 +133,7 @@ class MlsRefinement : public detail::SearchingStep<pcl::PCLBase<PointInT>>, publ
       const double to_b = (mesh.position[i] - mesh.position[b]).squaredNorm();
       sources.nearest.push_back(sources.nearest[to_b < to_a ? b : a]);
     }
-    makeVertexCloud(this->input_mesh_->cloud, data, sources, vertices_);
+    makeVertexCloud(this->input_mesh_->cloud, data, sources, vertices_, context);
   }
 
   RefinementParameters parameters_;

@@ -42,6 +42,7 @@ class MlsSurface : public detail::SearchingStep<pcl::PCLBase<PointT>> {
       spacing_ = core::medianSpacing(points_.position, *search_, context);
       surface_.emplace(points_.position, *search_, parameters_);
     });
+    if (!this->status().ok()) surface_.reset();
     return this->status().ok();
   }
 

@@ -112,12 +112,12 @@ template <typename PointT>
 std::unique_ptr<core::NeighborSearch> makeSearch(const core::PointSet& points,
                                                  const typename pcl::search::Search<PointT>::Ptr& search,
                                                  core::Context& context) {
-  if (!search) return core::makeKdTreeOver(points.position);
+  if (!search) return core::makeKdTreeOver(points.position, context);
   if (search->getName() == "OrganizedNeighbor") {
     context.warnings.emplace_back(
         "setSearchMethod: OrganizedNeighbor searches organised clouds only; the built-in k-d tree was used "
         "instead");
-    return core::makeKdTreeOver(points.position);
+    return core::makeKdTreeOver(points.position, context);
   }
   return std::make_unique<PclSearch<PointT>>(points.position, search);
 }

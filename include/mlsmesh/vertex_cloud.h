@@ -11,6 +11,8 @@
 
 namespace mlsmesh {
 
+// All functions below ask the context's handle as they go, and throw core::Failure(Cancelled).
+
 /// Where the attributes of each vertex come from, as indices into the input cloud (not into the point set).
 /// A vertex with parents (two different earlier vertices) averages their colours; one without averages those
 /// of its members, or takes that of `nearest` if it has none; every field that cannot be averaged is copied
@@ -36,7 +38,8 @@ struct VertexData {
 /// gives zeros for float64); `stored_as` tells Double when any of them is float64. Throws
 /// core::Failure(EmptyInput) if a field is missing, naming it, or if the cloud's data is shorter than its
 /// sizes say or in the other byte order.
-std::vector<core::Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredAs& stored_as);
+std::vector<core::Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::StoredAs& stored_as,
+                                       const core::Context& context = {});
 
 /// The vertices as a cloud with every field of `input`: x, y, z, normals and curvature replaced or appended,
 /// colour (rgb, rgba, r/g/b/a as uint8, intensity) averaged, all else copied from the nearest input point.
@@ -45,26 +48,30 @@ std::vector<core::Vec3> worldPositions(const pcl::PCLPointCloud2& cloud, core::S
 /// not be `input`. O(vertices + members). Throws core::Failure: EmptyInput as worldPositions, IndexOverflow
 /// if the output would not fit PCL's sizes.
 void makeVertexCloud(const pcl::PCLPointCloud2& input, const VertexData& data, const VertexSources& sources,
-                     pcl::PCLPointCloud2& output);
+                     pcl::PCLPointCloud2& output, const core::Context& context = {});
 
 /// Lists of points of a set as lists of input indices, with the duplicates of each point.
-core::IndexLists inputIndices(const core::PointSet& points, const core::IndexLists& lists);
+core::IndexLists inputIndices(const core::PointSet& points, const core::IndexLists& lists,
+                              const core::Context& context = {});
 
 /// Triangles as PCL polygons.
-std::vector<pcl::Vertices> toPolygons(const std::vector<core::Triangle>& triangles);
+std::vector<pcl::Vertices> toPolygons(const std::vector<core::Triangle>& triangles,
+                                      const core::Context& context = {});
 
 /// The vertices of level `level` of a reconstruction, as in makePolygonMesh.
 void makeLevelCloud(const core::Reconstruction& reconstruction, core::Index level,
-                    const pcl::PCLPointCloud2& input, pcl::PCLPointCloud2& output);
+                    const pcl::PCLPointCloud2& input, pcl::PCLPointCloud2& output,
+                    const core::Context& context = {});
 
 /// Level `level` of a reconstruction as a PCL mesh: header and fields of `input`, oriented normals,
 /// curvature, triangles.
 void makePolygonMesh(const core::Reconstruction& reconstruction, core::Index level,
-                     const pcl::PCLPointCloud2& input, pcl::PolygonMesh& output);
+                     const pcl::PCLPointCloud2& input, pcl::PolygonMesh& output,
+                     const core::Context& context = {});
 
 /// The same from the vertices of the finest level, whose first ones are those of every level. Throws
 /// core::Failure(InvalidParameter) if there is no such level.
 void makePolygonMesh(const core::RefinedMesh& mesh, core::Index level, const pcl::PCLPointCloud2& finest,
-                     pcl::PolygonMesh& output);
+                     pcl::PolygonMesh& output, const core::Context& context = {});
 
 }  // namespace mlsmesh

@@ -55,13 +55,14 @@ class Front {
   Front(const FrontInput& input, const TriangulationParameters& parameters, const Context& context,
         HalfEdgeMesh& mesh, FrontStatistics& statistics)
       : parameters_(parameters),
-        context_(context),
+        check_(context),
         mesh_(mesh),
         rules_(input, mesh, parameters),
         statistics_(statistics) {}
 
   /// Adds triangles that are known to be good; false for those that do not fit what is there.
   bool load(const Triangle& triangle) {
+    check_();
     const bool added = mesh_.addTriangle(triangle[0], triangle[1], triangle[2]) != kNone;
     if (added) rules_.added(triangle);
     statistics_.seed_triangles += added ? 1 : 0;
@@ -73,6 +74,7 @@ class Front {
     const bool first_in_first_out = parameters_.order == FrontOrder::FirstInFirstOut;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (Index h = sweep == 0 ? next_slot_ : 0; h < 3 * mesh_.slotCount(); ++h) {
+        check_();
         if (mesh_.alive(HalfEdgeMesh::triangleOf(h)) && mesh_.isBorder(h)) enqueue(h);
       }
       const Index before = mesh_.triangleCount();
@@ -98,9 +100,8 @@ class Front {
   }
 
   void workOff() {
-    std::size_t steps = 0;
     while (!queue_.empty()) {
-      if (++steps % 1024 == 0) context_.checkCancelled();
+      check_();
       Entry entry = queue_.top();
       queue_.pop();
       if (!mesh_.isBorder(entry.half_edge)) continue;
@@ -132,7 +133,7 @@ class Front {
   }
 
   const TriangulationParameters& parameters_;
-  const Context& context_;
+  CancelCheck check_;
   HalfEdgeMesh& mesh_;
   FrontRules rules_;
   FrontStatistics& statistics_;
@@ -217,6 +218,7 @@ void growFromIslands(const FrontInput& input, const std::vector<Vec3>& normals, 
       return std::any_of(t.begin(), t.end(), [&](Index v) { return !isFree(input, normals, mesh, v); });
     };
     if (i > 0) usable.erase(std::remove_if(usable.begin(), usable.end(), isUsed), usable.end());
+    context.checkCancelled();
     if (usable.empty() || (i > 0 && static_cast<Index>(usable.size()) < kLeastIsland)) continue;
     if (i == 0 ? isInsideOut(input.points, usable) : isTurnedAgainst(input, mesh, usable)) {
       for (Triangle& t : usable) std::swap(t[1], t[2]);
@@ -251,9 +253,12 @@ Triangle seedAt(const FrontInput& input, Index p, double length_limit) {
 }
 
 void growFromSingleTriangles(const FrontInput& input, const std::vector<Vec3>& normals,
-                             const TriangulationParameters& parameters, HalfEdgeMesh& mesh, Front& front) {
+                             const TriangulationParameters& parameters, const Context& context,
+                             HalfEdgeMesh& mesh, Front& front) {
   const FrontRules rules(input, mesh, parameters);
+  CancelCheck check(context);
   for (Index p = 0; p < mesh.vertexCount(); ++p) {
+    check();
     if (!isFree(input, normals, mesh, p)) continue;
     const Triangle seed = seedAt(input, p, rules.lengthLimit(p, input.neighbors.row(p)[0]));
     if (seed[0] == kNone || !isFree(input, normals, mesh, seed[1]) || !isFree(input, normals, mesh, seed[2]))
@@ -264,9 +269,9 @@ void growFromSingleTriangles(const FrontInput& input, const std::vector<Vec3>& n
   }
 }
 
-void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, HalfEdgeMesh& mesh,
-                FrontStatistics& statistics) {
-  const FillCount filled = fillLoops(mesh, points, limits);
+void closeLoops(const std::vector<Vec3>& points, const FillLimits& limits, const Context& context,
+                HalfEdgeMesh& mesh, FrontStatistics& statistics) {
+  const FillCount filled = fillLoops(mesh, points, limits, context);
   statistics.filled_loops += filled.loops;
   statistics.filled_triangles += filled.triangles;
 }
@@ -281,7 +286,7 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
         context);
     growFromIslands(input, normals, std::move(islands), parameters, context, mesh, front);
   }
-  if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, mesh, front);
+  if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, context, mesh, front);
   if (mesh.triangleCount() == 0) {
     throw Failure(StatusCode::NoTriangles,
                   "no triangle fits the points; they may be too sparse or scattered");
@@ -304,7 +309,7 @@ HalfEdgeMesh growMesh(const TriangulationInput& input, const TriangulationParame
   NeighborTable own_neighbors;
   const bool are_known = input.neighbors && input.normals;
   const NeighborTable& neighbors = are_known ? *input.neighbors : own_neighbors;
-  const auto own_search = input.search || are_known ? nullptr : makeKdTreeOver(points);
+  const auto own_search = input.search || are_known ? nullptr : makeKdTreeOver(points, context);
   const NeighborSearch* search = input.search ? input.search : own_search.get();
   if (!are_known) own_neighbors = nearestOfAll(points, *search, parameters.neighbors, context);
   std::vector<double> spacing = localSpacings(points, neighbors, context);
@@ -339,25 +344,28 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   const auto closeSmallLoops = [&] {
     const FillLimits limits{parameters.fill_max_edges, parameters.fill_max_perimeter, input.spacing,
                             &data.cloud_spacing.get()};
-    if (parameters.fill_small_loops) closeLoops(data.points.get(), limits, mesh, result.statistics);
+    if (parameters.fill_small_loops) closeLoops(data.points.get(), limits, context, mesh, result.statistics);
   };
   closeSmallLoops();
+  context.checkCancelled();
   const PinchCount pinches =
-      resolvePinches(mesh, kLargestDroppedFan, input.may_split ? &result.duplicate_of : nullptr);
+      resolvePinches(mesh, kLargestDroppedFan, input.may_split ? &result.duplicate_of : nullptr, context);
   result.statistics.dropped_triangles = pinches.dropped_triangles;
   result.statistics.split_vertices = pinches.split_vertices;
+  context.checkCancelled();
   data.appendCopies(result.duplicate_of);
   closeSmallLoops();
+  context.checkCancelled();
   const std::vector<Vec3>&points = data.points.get(), &normals = data.normals.get();
   if (parameters.heal) {
     const CloudSupport support = supportOf(input, data, parameters.support_reach);
     Healing healing = healMesh(mesh, {points, normals, support}, parameters, context);
     result.statistics.healing = healing.statistics;
     result.troubled = std::move(healing.troubled);
-    result.statistics.dropped_triangles += trimFlaps(mesh, points, normals);
+    result.statistics.dropped_triangles += trimFlaps(mesh, points, normals, context);
   }
-  orientOutward(points, mesh);
-  const SeamCount seams = countSeams(mesh, points, normals);
+  orientOutward(points, mesh, context);
+  const SeamCount seams = countSeams(mesh, points, normals, context);
   result.statistics.seams = seams.seams;
   result.statistics.seam_edges = seams.edges;
   result.statistics.unused_points = unusedPoints(mesh, input.points.size());

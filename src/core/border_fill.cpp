@@ -52,10 +52,13 @@ std::vector<Triangle> fillOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& 
   return fillPolygon(mesh, points, polygonOf(mesh, loop), {kWorstBend, false});
 }
 
-FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits) {
+FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits,
+                    const Context& context) {
   constexpr int kSlack = 4;  // a loop may be longer than the limit before it is cut at repeated vertices
   FillCount count;
-  for (const std::vector<Index>& walk : mesh.borderLoopEdges()) {
+  CancelCheck check(context);
+  for (const std::vector<Index>& walk : mesh.borderLoopEdges(context)) {
+    check();
     if (static_cast<int>(walk.size()) > kSlack * limits.max_edges) continue;
     for (const std::vector<Index>& loop : simpleLoops(mesh, walk)) {
       if (!isSmall(mesh, points, loop, limits)) continue;

@@ -22,7 +22,8 @@ struct FillCount {
 /// Closes every border loop within the limits that a legal fill exists for: no edge of the mesh used twice,
 /// no triangle degenerate or bent back by more than 165 degrees. Loops that pass a vertex twice are cut there
 /// first. O(n^3) a loop.
-FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits);
+FillCount fillLoops(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const FillLimits& limits,
+                    const Context& context = {});
 
 /// Triangles that close the loop of these border half-edges (in walking order, each vertex once), or none.
 /// The fill has the smallest worst dihedral bend, of equals the smallest area.

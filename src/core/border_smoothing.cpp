@@ -240,7 +240,7 @@ Index smoothBorders(const PointSet& points, const MlsSurface& surface, const Ind
   const std::vector<Triangle>& triangles = mesh.level_triangles[0];
   HalfEdgeMesh level;
   std::string why;
-  if (!buildMesh(static_cast<Index>(mesh.position.size()), triangles, level, &why))
+  if (!buildMesh(static_cast<Index>(mesh.position.size()), triangles, level, &why, context))
     throw Failure(StatusCode::Internal, "the triangulation is not a manifold: " + why);
   const std::vector<std::vector<Index>> borders = level.borderLoops();
   if (borders.empty()) return 0;

@@ -37,9 +37,12 @@ bool isSpare(const HalfEdgeMesh& mesh, Index h) {
 
 }  // namespace
 
-Index trimFlaps(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normal) {
+Index trimFlaps(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normal,
+                const Context& context) {
+  CancelCheck check(context);
   std::vector<Index> open;
   for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
+    check();
     if (mesh.alive(HalfEdgeMesh::triangleOf(h)) && mesh.isBorder(h)) open.push_back(h);
   }
   Index removed = 0;

@@ -14,6 +14,7 @@ namespace mlsmesh::core {
 /// border loops and handles stay as they are. `normal`: of the surface at the points, unit, sign arbitrary.
 /// Returns how many were removed. O(border edges + removed) for bounded degrees. The result depends on the
 /// mesh and its numbering alone.
-Index trimFlaps(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normal);
+Index trimFlaps(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const std::vector<Vec3>& normal,
+                const Context& context = {});
 
 }  // namespace mlsmesh::core

@@ -25,7 +25,7 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr Index kTaskSize = 4096;    // subtrees below are worked off by one thread
+constexpr Index kTaskSize = 4096;    // parts below are worked off by one thread
 constexpr Index kMaxGapPoints = 32;  // larger leaves (printed rules only) are not searched for gaps
 
 struct Shape {
@@ -48,10 +48,9 @@ class Splitter {
 
   IndexLists run() {
     const Index count = static_cast<Index>(points_.size());
-#pragma omp parallel num_threads(threadCount(context_.threads))
-#pragma omp single
-    split(0, count);
-    context_.checkCancelled();
+    const std::vector<Part> parts = splitLarge({0, count});
+    parallelBlocks(context_, parts.size(), 1,
+                   [&](std::size_t i, std::size_t) { split(parts[i].first, parts[i].last); });
     IndexLists clusters;
     for (Index i = 1; i < count; ++i) {
       if (starts_[i]) clusters.begin.push_back(i);
@@ -62,6 +61,32 @@ class Splitter {
   }
 
  private:
+  struct Part {
+    Index first = 0, last = 0;
+
+    Index size() const { return last - first; }
+  };
+
+  // Splits large parts as long as there are any, all of a round at a time; returns the others.
+  std::vector<Part> splitLarge(const Part& whole) {
+    std::vector<Part> small, large = {whole};
+    while (!large.empty()) {
+      std::vector<Index> middle(large.size());
+      parallelBlocks(context_, large.size(), 1, [&](std::size_t i, std::size_t) {
+        middle[i] = splitOnce(large[i].first, large[i].last);
+      });
+      std::vector<Part> next;
+      for (std::size_t i = 0; i < large.size(); ++i) {
+        if (middle[i] == large[i].last) continue;
+        for (const Part& part : {Part{large[i].first, middle[i]}, Part{middle[i], large[i].last}}) {
+          (part.size() > kTaskSize ? next : small).push_back(part);
+        }
+      }
+      large.swap(next);
+    }
+    return small;
+  }
+
   Shape shapeOf(Index first, Index last) const {
     Shape shape;
     const Vec3 reference = points_[order_[first]];
@@ -110,24 +135,23 @@ class Splitter {
   }
 
   void split(Index first, Index last) {
-    if (first == last || context_.progress.cancelled()) return;
+    const Index middle = splitOnce(first, last);
+    if (middle == last) return;
+    split(first, middle);
+    split(middle, last);
+  }
+
+  // Where the second part of a cluster that is to be split begins; `last` for one that is done.
+  Index splitOnce(Index first, Index last) {
+    if (first == last) return last;
     starts_[first] = 1;
     const Index count = last - first;
-    if (count == 1) return;
+    if (count == 1) return last;
     const Shape shape = shapeOf(first, last);
-    if (shape.is_point) return;
+    if (shape.is_point) return last;
     const Index middle = wantsSplit(count, shape) ? cut(first, last, shape) : last;
-    if (middle == last) return cutAtGap(first, last);
-    if (count > kTaskSize) {
-#pragma omp task
-      split(first, middle);
-#pragma omp task
-      split(middle, last);
-#pragma omp taskwait
-    } else {
-      split(first, middle);
-      split(middle, last);
-    }
+    if (middle == last) cutAtGap(first, last);
+    return middle;
   }
 
   // Prim's minimum spanning tree over the few points of a leaf; cuts it at its longest edge if that stands

@@ -215,7 +215,9 @@ AgreedTriangles findAgreed(const StarRings& stars, const Context& context) {
         return slots.at_first != OtherSlots::kNowhere;
       })));
   agreed.of_slot.assign(stars.items.size(), kNone);
+  CancelCheck check(context);
   for (Index p = 0; p < stars.count(); ++p) {
+    check();
     for (Index slot = 0; slot < stars.size(p); ++slot) {
       const OtherSlots& other = others[stars.begin[p] + slot];
       if (other.at_first == OtherSlots::kNowhere) continue;
@@ -233,14 +235,16 @@ AgreedTriangles findAgreed(const StarRings& stars, const Context& context) {
 // Islands found by walking from triangle to triangle over the edges that they share.
 class IslandWalk {
  public:
-  IslandWalk(const StarRings& stars, const AgreedTriangles& agreed)
+  IslandWalk(const StarRings& stars, const AgreedTriangles& agreed, const Context& context)
       : stars_(stars),
         agreed_(agreed),
+        check_(context),
         island_(agreed.triangles.size(), kNone),
         turned_(agreed.triangles.size(), 0) {}
 
   Islands run() {
     for (Index start = 0; start < agreed_.count(); ++start) {
+      check_();
       if (island_[start] == kNone) walkFrom(start);
     }
     return collect();
@@ -252,6 +256,7 @@ class IslandWalk {
     island_[start] = island;
     open_.assign(1, start);
     for (std::size_t next = 0; next < open_.size(); ++next) {
+      check_();
       const Triangle corners = oriented(open_[next]);
       for (int i = 0; i < 3; ++i) {
         const Index other = across(open_[next], corners[i], corners[(i + 1) % 3]);
@@ -293,7 +298,7 @@ class IslandWalk {
   }
 
   // The triangles of each island in their order, the largest island first.
-  Islands collect() const {
+  Islands collect() {
     std::vector<Index> order(size_.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return size_[a] > size_[b]; });
@@ -304,12 +309,16 @@ class IslandWalk {
       islands.begin.push_back(islands.begin.back() + size_[island]);
     }
     islands.triangles.resize(agreed_.triangles.size());
-    for (Index t = 0; t < agreed_.count(); ++t) islands.triangles[place[island_[t]]++] = oriented(t);
+    for (Index t = 0; t < agreed_.count(); ++t) {
+      check_();
+      islands.triangles[place[island_[t]]++] = oriented(t);
+    }
     return islands;
   }
 
   const StarRings& stars_;
   const AgreedTriangles& agreed_;
+  CancelCheck check_;
   std::vector<Index> island_;
   std::vector<char> turned_;
   std::vector<Index> size_;
@@ -366,6 +375,7 @@ StarRings localStars(const std::vector<Vec3>& points, const std::vector<Vec3>& n
   std::partial_sum(stars.begin.begin(), stars.begin.end(), stars.begin.begin());
   stars.items.reserve(static_cast<std::size_t>(stars.begin.back()));
   for (auto& block : items) {
+    context.checkCancelled();
     stars.items.insert(stars.items.end(), block.begin(), block.end());
     std::vector<Index>().swap(block);
   }
@@ -374,7 +384,7 @@ StarRings localStars(const std::vector<Vec3>& points, const std::vector<Vec3>& n
 
 Islands agreedIslands(const StarRings& stars, const Context& context) {
   const AgreedTriangles agreed = findAgreed(stars, context);
-  return IslandWalk(stars, agreed).run();
+  return IslandWalk(stars, agreed, context).run();
 }
 
 }  // namespace mlsmesh::core

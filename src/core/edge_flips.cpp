@@ -202,7 +202,9 @@ Index flipEdges(HalfEdgeMesh& mesh, const std::vector<Vec3>& position, FlipRule 
   for (int round = 0; round < kRounds; ++round) {
     context.checkCancelled();
     Index flipped = 0;
+    CancelCheck check(context);
     for (Index h = disturbed.take(0); h < end; h = disturbed.take(h + 1)) {
+      check();
       const Index g = beyondLower(mesh, h);
       if (g == kNone || gains.isKnownLoss(h, g)) continue;
       const std::array<Index, 4> corners = cornersAround(mesh, h, g);

@@ -42,9 +42,10 @@ std::string edgeFault(const HalfEdgeMesh& mesh, const Triangle& corners) {
 }
 
 // The first triangle that does not fit those before it; empty if all do.
-std::string firstFault(Index vertices, const std::vector<Triangle>& triangles) {
+std::string firstFault(Index vertices, const std::vector<Triangle>& triangles, CancelCheck& check) {
   HalfEdgeMesh mesh(vertices);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
+    check();
     std::string fault = cornerFault(triangles[i], vertices);
     if (fault.empty() && mesh.addTriangle(triangles[i][0], triangles[i][1], triangles[i][2]) == kNone)
       fault = edgeFault(mesh, triangles[i]);
@@ -142,7 +143,9 @@ bool HalfEdgeMesh::assignTriangles(const std::vector<Triangle>& triangles, const
   vertex_.resize(half_edges);
   twin_.resize(half_edges);
   next_out_.resize(half_edges);
+  CancelCheck check(context);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
+    check();
     const Index h = static_cast<Index>(3 * t);
     setCorners(h, triangles[t]);
     for (Index i = 0; i < 3; ++i) link(h + i);
@@ -270,10 +273,12 @@ std::vector<std::vector<Index>> HalfEdgeMesh::borderLoops() const {
   return loops;
 }
 
-std::vector<std::vector<Index>> HalfEdgeMesh::borderLoopEdges() const {
+std::vector<std::vector<Index>> HalfEdgeMesh::borderLoopEdges(const Context& context) const {
+  CancelCheck check(context);
   std::vector<std::vector<Index>> loops;
   std::vector<char> visited(vertex_.size(), 0);
   for (Index start = 0; start < static_cast<Index>(vertex_.size()); ++start) {
+    check();
     if (vertex_[start] == kNone || !isBorder(start) || visited[start]) continue;
     std::vector<Index>& loop = loops.emplace_back();
     for (Index h = start; !visited[h]; h = nextBorder(h)) {
@@ -284,7 +289,8 @@ std::vector<std::vector<Index>> HalfEdgeMesh::borderLoopEdges() const {
   return loops;
 }
 
-std::vector<Index> HalfEdgeMesh::components(Index* count) const {
+std::vector<Index> HalfEdgeMesh::components(Index* count, const Context& context) const {
+  CancelCheck check(context);
   std::vector<Index> component(slotCount(), kNone);
   std::vector<Index> stack;
   Index found = 0;
@@ -293,6 +299,7 @@ std::vector<Index> HalfEdgeMesh::components(Index* count) const {
     component[start] = found;
     stack.push_back(start);
     while (!stack.empty()) {
+      check();
       const Index triangle = stack.back();
       stack.pop_back();
       for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
@@ -314,17 +321,19 @@ Index HalfEdgeMesh::nextBorder(Index half_edge) const {
   return h;
 }
 
-std::string HalfEdgeMesh::validate(bool allow_pinches) const {
-  std::string fault = slotFault();
-  if (fault.empty()) fault = twinFault();
-  if (fault.empty()) fault = listFault();
-  if (fault.empty() && !allow_pinches) fault = fanFault();
+std::string HalfEdgeMesh::validate(bool allow_pinches, const Context& context) const {
+  CancelCheck check(context);
+  std::string fault = slotFault(check);
+  if (fault.empty()) fault = twinFault(check);
+  if (fault.empty()) fault = listFault(check);
+  if (fault.empty() && !allow_pinches) fault = fanFault(check);
   return fault;
 }
 
-std::string HalfEdgeMesh::slotFault() const {
+std::string HalfEdgeMesh::slotFault(CancelCheck& check) const {
   Index live = 0;
   for (Index t = 0; t < slotCount(); ++t) {
+    check();
     const Triangle triangle = corners(t);
     const std::string name = "triangle " + std::to_string(t) + " ";
     if (triangle == Triangle{kNone, kNone, kNone}) {
@@ -340,7 +349,7 @@ std::string HalfEdgeMesh::slotFault() const {
   return std::to_string(live) + " triangles are alive but " + std::to_string(live_) + " are counted";
 }
 
-std::string HalfEdgeMesh::twinFault() const {
+std::string HalfEdgeMesh::twinFault(CancelCheck& check) const {
   struct Edge {
     Index u, v, half_edge;
     bool operator<(const Edge& other) const { return u != other.u ? u < other.u : v < other.v; }
@@ -348,8 +357,12 @@ std::string HalfEdgeMesh::twinFault() const {
   std::vector<Edge> edges;
   for (Index h = 0; h < static_cast<Index>(vertex_.size()); ++h)
     if (vertex_[h] != kNone) edges.push_back({origin(h), target(h), h});
-  std::sort(edges.begin(), edges.end());
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    check();
+    return a < b;
+  });
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    check();
     const Edge& edge = edges[i];
     if (i > 0 && !(edges[i - 1] < edge)) return "edge " + edgeText(edge.u, edge.v) + " exists twice";
     const auto reverse = std::lower_bound(edges.begin(), edges.end(), Edge{edge.v, edge.u, kNone});
@@ -360,10 +373,11 @@ std::string HalfEdgeMesh::twinFault() const {
   return {};
 }
 
-std::string HalfEdgeMesh::listFault() const {
+std::string HalfEdgeMesh::listFault(CancelCheck& check) const {
   std::vector<char> listed(vertex_.size(), 0);
   Index count = 0;
   for (Index v = 0; v < vertexCount(); ++v) {
+    check();
     for (Index h = first_[v]; h != kNone; h = next_out_[h]) {
       if (h < 0 || h >= static_cast<Index>(vertex_.size()) || vertex_[h] != v || listed[h])
         return "the list of vertex " + std::to_string(v) + " is broken at half-edge " + std::to_string(h);
@@ -375,17 +389,20 @@ std::string HalfEdgeMesh::listFault() const {
   return std::to_string(3 * live_) + " half-edges are alive but " + std::to_string(count) + " are listed";
 }
 
-std::string HalfEdgeMesh::fanFault() const {
+std::string HalfEdgeMesh::fanFault(CancelCheck& check) const {
   std::vector<Index> leader(vertex_.size());
   std::iota(leader.begin(), leader.end(), 0);
   const auto find_leader = [&](Index h) {
     while (leader[h] != h) h = leader[h] = leader[leader[h]];
     return h;
   };
-  for (Index h = 0; h < static_cast<Index>(vertex_.size()); ++h)
+  for (Index h = 0; h < static_cast<Index>(vertex_.size()); ++h) {
+    check();
     if (twin_[h] != kNone) leader[find_leader(h)] = find_leader(next(twin_[h]));
+  }
   std::vector<Index> fan_of(vertexCount(), kNone);
   for (Index h = 0; h < static_cast<Index>(vertex_.size()); ++h) {
+    check();
     if (vertex_[h] == kNone) continue;
     Index& fan = fan_of[vertex_[h]];
     if (fan != kNone && fan != find_leader(h))
@@ -422,10 +439,11 @@ void HalfEdgeMesh::connect(Index half_edge, Index other) {
 bool buildMesh(Index vertices, const std::vector<Triangle>& triangles, HalfEdgeMesh& mesh, std::string* why,
                const Context& context) {
   HalfEdgeMesh built(vertices);
+  CancelCheck check(context);
   const bool fits = std::all_of(triangles.begin(), triangles.end(),
                                 [&](const Triangle& t) { return cornerFault(t, vertices).empty(); }) &&
                     built.assignTriangles(triangles, context);
-  if (why) *why = fits ? std::string() : firstFault(vertices, triangles);
+  if (why) *why = fits ? std::string() : firstFault(vertices, triangles, check);
   if (fits) mesh = std::move(built);
   return fits;
 }

@@ -27,7 +27,8 @@ Mask wordOf(std::size_t number) {
 // What every edge of a mesh crosses, on both of its half-edges.
 class Annotations {
  public:
-  explicit Annotations(const HalfEdgeMesh& mesh) : mesh_(mesh), mask_(halfEdges(), 0), in_tree_(halfEdges()) {
+  Annotations(const HalfEdgeMesh& mesh, const Context& context)
+      : mesh_(mesh), context_(context), mask_(halfEdges(), 0), in_tree_(halfEdges()) {
     spanVertices();
     numberCaps();
     spanFaces();
@@ -42,13 +43,16 @@ class Annotations {
   bool isLive(Index h) const { return mesh_.alive(HalfEdgeMesh::triangleOf(h)); }
 
   void spanVertices() {
+    CancelCheck check(context_);
     std::vector<char> seen(static_cast<std::size_t>(mesh_.vertexCount()), 0);
     std::vector<Index> queue;
     for (Index start = 0; start < mesh_.vertexCount(); ++start) {
+      check();
       if (seen[start] || !mesh_.isUsed(start)) continue;
       seen[start] = 1;
       queue.assign(1, start);
       for (std::size_t next = 0; next < queue.size(); ++next) {
+        check();
         const auto visit = [&](Index h, Index other) {
           if (seen[other]) return;
           seen[other] = 1;
@@ -71,7 +75,7 @@ class Annotations {
   // Faces are the triangles and, from slotCount on, a cap over every border loop.
   void numberCaps() {
     cap_.assign(halfEdges(), kNone);
-    loops_ = mesh_.borderLoopEdges();
+    loops_ = mesh_.borderLoopEdges(context_);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       for (const Index h : loops_[i]) cap_[h] = mesh_.slotCount() + static_cast<Index>(i);
     }
@@ -93,6 +97,7 @@ class Annotations {
 
   // Breadth first, so that paths to the root are short.
   void spanFaces() {
+    CancelCheck check(context_);
     const std::size_t faces = static_cast<std::size_t>(mesh_.slotCount()) + loops_.size();
     parent_.assign(faces, kNone);
     across_.assign(faces, kNone);
@@ -103,6 +108,7 @@ class Annotations {
       seen[start] = 1;
       queue.assign(1, start);
       for (std::size_t next = 0; next < queue.size(); ++next) {
+        check();
         const Index face = queue[next];
         eachSide(face, [&](Index h, Index other) {
           if (in_tree_[h] || seen[other]) return;
@@ -122,15 +128,21 @@ class Annotations {
 
   // An edge in neither tree closes a dual cycle with the paths of its two faces.
   void annotate() {
+    CancelCheck check(context_);
     std::size_t number = 0;
     for (Index h = 0; h < static_cast<Index>(halfEdges()); ++h) {
+      check();
       if (!isLive(h) || in_tree_[h] || (!mesh_.isBorder(h) && mesh_.twin(h) < h)) continue;
       const Index face = HalfEdgeMesh::triangleOf(h), other = beyond(h);
       if (isAcross(face, h) || isAcross(other, h)) continue;
       const Mask word = wordOf(number++);
       cross(h, word);
-      for (Index f = face; parent_[f] != kNone; f = parent_[f]) cross(across_[f], word);
-      for (Index f = other; parent_[f] != kNone; f = parent_[f]) cross(across_[f], word);
+      for (Index f : {face, other}) {
+        for (; parent_[f] != kNone; f = parent_[f]) {
+          check();
+          cross(across_[f], word);
+        }
+      }
       annotated_ = true;
     }
   }
@@ -141,6 +153,7 @@ class Annotations {
   }
 
   const HalfEdgeMesh& mesh_;
+  const Context& context_;
   std::vector<Mask> mask_;
   std::vector<char> in_tree_;
   std::vector<std::vector<Index>> loops_;
@@ -247,12 +260,13 @@ std::vector<Index> verticesAtHandles(const HalfEdgeMesh& mesh, const Annotations
 }  // namespace
 
 std::vector<std::vector<Index>> shortHandleLoops(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
-                                                 int max_edges) {
-  const Annotations annotations(mesh);
+                                                 int max_edges, const Context& context) {
+  const Annotations annotations(mesh, context);
   if (!annotations.isAnnotated()) return {};
   WalkFinder finder(mesh, annotations, max_edges);
   std::vector<Walk> walks;
   for (const Index v : verticesAtHandles(mesh, annotations)) {
+    context.checkCancelled();
     std::vector<Index> vertices = finder.through(v);
     if (vertices.size() < 3) continue;
     const double length = lengthOf(vertices, position);

@@ -12,6 +12,6 @@ namespace mlsmesh::core {
 /// surfaces without handles. `mesh` must have no pinches. O(n), and O(d^(max_edges / 2)) for each vertex at a
 /// handle, d the degree.
 std::vector<std::vector<Index>> shortHandleLoops(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
-                                                 int max_edges);
+                                                 int max_edges, const Context& context = {});
 
 }  // namespace mlsmesh::core

@@ -53,7 +53,7 @@ class Healer {
   void fillSupportedLoops() {
     if (!input_.support.testsAnything() || surgery_.borderEdges() == 0) return;
     const std::vector<Index> room = trianglesAround();
-    for (const std::vector<Index>& loop : mesh_.borderLoopEdges()) {
+    for (const std::vector<Index>& loop : mesh_.borderLoopEdges(context_)) {
       if (static_cast<int>(loop.size()) > parameters_.fill_supported_edges) continue;
       const double disc = kDisc * static_cast<double>(loop.size()) * static_cast<double>(loop.size());
       if (disc > room[HalfEdgeMesh::triangleOf(loop[0])]) continue;
@@ -82,7 +82,7 @@ class Healer {
   // Of every triangle, how many its component has.
   std::vector<Index> trianglesAround() const {
     Index count = 0;
-    std::vector<Index> component = mesh_.components(&count);
+    std::vector<Index> component = mesh_.components(&count, context_);
     std::vector<Index> size(static_cast<std::size_t>(count), 0);
     for (const Index c : component) {
       if (c != kNone) ++size[c];
@@ -185,8 +185,9 @@ class Healer {
   Index handleCount() {
     if (handles_) return *handles_;
     Index components = 0;
-    mesh_.components(&components);
-    const auto loops = surgery_.borderEdges() > 0 ? static_cast<Index>(mesh_.borderLoopEdges().size()) : 0;
+    mesh_.components(&components, context_);
+    const auto loops =
+        surgery_.borderEdges() > 0 ? static_cast<Index>(mesh_.borderLoopEdges(context_).size()) : 0;
     handles_ = components - (surgery_.euler() + loops) / 2;
     return *handles_;
   }
@@ -202,7 +203,7 @@ class Healer {
     for (int round = 0; round < kHandleRounds && handleCount() > 0; ++round) {
       context_.checkCancelled();
       Index cut = 0;
-      for (const std::vector<Index>& walk : shortHandleLoops(mesh_, input_.points, kHandleEdges)) {
+      for (const std::vector<Index>& walk : shortHandleLoops(mesh_, input_.points, kHandleEdges, context_)) {
         if (!cutAlong(walk) && !cutAlong({walk.rbegin(), walk.rend()})) continue;
         noteTrouble(walk);
         ++cut;

@@ -109,7 +109,7 @@ class Closing {
         source_(source),
         first_own_(static_cast<Index>(refined.position.size())) {
     std::string why;
-    if (!buildMesh(first_own_, refined.level_triangles.back(), mesh_, &why))
+    if (!buildMesh(first_own_, refined.level_triangles.back(), mesh_, &why, context))
       throw Failure(StatusCode::InvalidMesh, why);
     first_patch_ = mesh_.slotCount();
   }
@@ -142,7 +142,7 @@ class Closing {
 
   std::vector<Loop> loopsUpTo(double longest) const {
     std::vector<Loop> loops;
-    for (Loop& loop : mesh_.borderLoopEdges()) {
+    for (Loop& loop : mesh_.borderLoopEdges(context_)) {
       if (lengthOf(loop) <= longest) loops.push_back(std::move(loop));
     }
     return loops;
@@ -210,7 +210,7 @@ class Closing {
   // What was open may have been turned inward: only closed surfaces have an outer side.
   void turnOutward() {
     Index count = 0;
-    const std::vector<Index> component = mesh_.components(&count);
+    const std::vector<Index> component = mesh_.components(&count, context_);
     std::vector<double> volume(static_cast<std::size_t>(count), 0);
     std::vector<char> patched(static_cast<std::size_t>(count), 0), open(static_cast<std::size_t>(count), 0);
     std::vector<Index> seed(static_cast<std::size_t>(count), kNone);

@@ -13,7 +13,7 @@ class KnownNeighbors {
   /// tree of its own, unless that was the last question. Valid until the next one.
   const NeighborTable& of(const std::vector<Vec3>& points, int k, const Context& context) {
     if (k != asked_ || points != points_) {
-      table_ = nearestOfAll(points, *makeKdTreeOver(points), k, context);
+      table_ = nearestOfAll(points, *makeKdTreeOver(points, context), k, context);
       asked_ = k;
       points_ = points;
     }

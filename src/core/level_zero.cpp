@@ -18,7 +18,8 @@ namespace mlsmesh::core {
 namespace {
 
 // Level 0: the vertices that a triangle uses, in the order of the representatives, copies of split ones last.
-void storeLevelZero(Triangulation triangulation, Reconstruction& result) {
+void storeLevelZero(Triangulation triangulation, const Context& context, Reconstruction& result) {
+  CancelCheck check(context);
   const Representatives& all = result.representatives;
   const Index originals = all.size();
   const Index total = originals + static_cast<Index>(triangulation.duplicate_of.size());
@@ -32,6 +33,7 @@ void storeLevelZero(Triangulation triangulation, Reconstruction& result) {
   members.begin.reserve(static_cast<std::size_t>(total) + 1);
   mesh.position.reserve(static_cast<std::size_t>(total));
   for (Index v = 0; v < total; ++v) {
+    check();
     if (vertex_of[v] == kNone) continue;
     vertex_of[v] = static_cast<Index>(mesh.position.size());
     const Index from = v < originals ? v : triangulation.duplicate_of[v - originals];
@@ -43,11 +45,13 @@ void storeLevelZero(Triangulation triangulation, Reconstruction& result) {
     members.append(result.clusters.data(from), result.clusters.size(from));
   }
   result.clusters = std::move(members);
+  context.checkCancelled();
   std::vector<Triangle> triangles = std::move(triangulation.triangles);
   for (Triangle& t : triangles) {
     for (Index& v : t) v = vertex_of[v];
   }
   mesh.normal = vertexNormals(triangles, mesh.position);
+  context.checkCancelled();
   for (std::size_t v = 0; v < mesh.position.size() && !all.normal.empty(); ++v) {
     const Vec3& fitted = all.normal[result.representative_of[v]];
     mesh.normal[v] = fitted.dot(mesh.normal[v]) < 0 ? Vec3(-fitted) : fitted;
@@ -190,7 +194,7 @@ void makeLevelZero(const Surroundings& cloud, Context& context, KnownNeighbors n
   if (!result.noise.parameters.reduce) useThePoints(cloud, result);
   result.front = triangulation.statistics;
   warnOfSeams(result.front, context);
-  storeLevelZero(std::move(triangulation), result);
+  storeLevelZero(std::move(triangulation), context, result);
   if (result.features.any()) turnToSides(context, result);
   moveBorders(cloud, context, result);
 }

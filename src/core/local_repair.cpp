@@ -64,7 +64,7 @@ LocalTopology LocalRepair::topologyAt(const std::vector<Index>& vertices) const 
 
 Index LocalRepair::componentCount() const {
   Index count = 0;
-  surgery_.mesh().components(&count);
+  surgery_.mesh().components(&count, surgery_.context());
   return count;
 }
 

@@ -14,7 +14,9 @@ constexpr std::size_t kSpareShare = 16;  // of the triangles
 
 MeshSurgery::MeshSurgery(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, const Context& context)
     : mesh_(mesh), points_(points), context_(context) {
+  CancelCheck check(context);
   for (Index t = 0; t < mesh.slotCount(); ++t) {
+    check();
     if (!mesh.alive(t)) continue;
     for (Index h = 3 * t; h < 3 * t + 3; ++h) border_ += mesh.isBorder(h) ? 1 : 0;
   }
@@ -28,7 +30,9 @@ void MeshSurgery::renewSearch() {
   const std::size_t slots = static_cast<std::size_t>(mesh_.slotCount());
   slots_.assign(slots + std::max(kLeastSpare, slots / kSpareShare), kNowhere);
   free_.clear();
+  CancelCheck check(context_);
   for (Index t = 0; t < mesh_.slotCount(); ++t) {
+    check();
     if (mesh_.alive(t))
       slots_[t] = mesh_.corners(t);
     else

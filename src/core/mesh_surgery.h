@@ -17,6 +17,7 @@ class MeshSurgery {
 
   const HalfEdgeMesh& mesh() const { return mesh_; }
   const std::vector<Vec3>& points() const { return points_; }
+  const Context& context() const { return context_; }
   const std::set<TrianglePair>& pairs() const { return pairs_; }
   /// V - E + F of the vertices that triangles use.
   Index euler() const { return used_ - (3 * mesh_.triangleCount() + border_) / 2 + mesh_.triangleCount(); }

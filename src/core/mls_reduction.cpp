@@ -114,10 +114,12 @@ void store(const Projection& projection, const PointSet& points, std::size_t i, 
 }
 
 // Equal positions, first cluster of each group -> kNone, the others -> the first.
-std::vector<Index> coincident(const std::vector<Vec3>& position) {
+std::vector<Index> coincident(const std::vector<Vec3>& position, const Context& context) {
+  CancelCheck check(context);
   std::vector<Index> order(position.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    check();
     const auto& p = position[a];
     const auto& q = position[b];
     return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3) || (p == q && a < b);
@@ -138,15 +140,19 @@ void keepOnly(const std::vector<Index>& kept, std::vector<T>& values) {
   values.resize(kept.size());
 }
 
-IndexLists mergeClusters(const IndexLists& clusters, const std::vector<Index>& same_as) {
+IndexLists mergeClusters(const IndexLists& clusters, const std::vector<Index>& same_as,
+                         const Context& context) {
+  CancelCheck check(context);
   std::vector<std::vector<Index>> extra(clusters.count());
   for (Index i = 0; i < clusters.count(); ++i) {
+    check();
     if (same_as[i] == kNone) continue;
     auto& list = extra[same_as[i]];
     list.insert(list.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
   }
   IndexLists merged;
   for (Index i = 0; i < clusters.count(); ++i) {
+    check();
     if (same_as[i] != kNone) continue;
     const auto from = merged.items.size();
     merged.items.insert(merged.items.end(), clusters.data(i), clusters.data(i) + clusters.size(i));
@@ -169,23 +175,28 @@ void keepOnly(const std::vector<Index>& kept, Representatives& representatives) 
 }
 
 // Drops every representative i with joins[i] != kNone; its members join that one, which is kept.
-void dropJoined(const std::vector<Index>& joins, Representatives& representatives, IndexLists& clusters) {
+void dropJoined(const std::vector<Index>& joins, const Context& context, Representatives& representatives,
+                IndexLists& clusters) {
+  context.checkCancelled();
   std::vector<Index> kept;
   for (Index i = 0; i < representatives.size(); ++i) {
     if (joins[i] == kNone) kept.push_back(i);
   }
   if (static_cast<Index>(kept.size()) == representatives.size()) return;
   keepOnly(kept, representatives);
-  clusters = mergeClusters(clusters, joins);
+  clusters = mergeClusters(clusters, joins, context);
 }
 
 // The crease vertex that stands for each representative near it, or kNone.
-std::vector<Index> nearCreases(const Representatives& representatives, Index first_crease) {
+std::vector<Index> nearCreases(const Representatives& representatives, Index first_crease,
+                               const Context& context) {
+  CancelCheck check(context);
   const std::vector<Vec3> crease(representatives.position.begin() + first_crease,
                                  representatives.position.end());
-  const auto search = makeKdTree(crease);
+  const auto search = makeKdTree(crease, context);
   std::vector<Index> same_as(representatives.position.size(), kNone);
   for (Index i = 0; i < first_crease; ++i) {
+    check();
     Index nearest = kNone;
     double squared_distance = 0;
     search->nearest(representatives.position[i], 1, &nearest, &squared_distance);
@@ -254,9 +265,9 @@ Representatives reducePoints(const PointSet& points, const MlsSurface& surface, 
   });
   if (features.any()) {
     numberCreases(sided.first_crease, result);
-    dropJoined(nearCreases(result, sided.first_crease), result, clusters);
+    dropJoined(nearCreases(result, sided.first_crease, context), context, result, clusters);
   }
-  dropJoined(coincident(result.position), result, clusters);
+  dropJoined(coincident(result.position, context), context, result, clusters);
   return result;
 }
 
@@ -264,7 +275,7 @@ void renewRepresentatives(const std::vector<char>& which, const PointSet& points
                           const ReductionParameters& parameters, const Context& context,
                           Representatives& representatives, IndexLists& clusters) {
   projectAgain(which, points, surface, parameters, context, representatives, clusters);
-  dropJoined(coincident(representatives.position), representatives, clusters);
+  dropJoined(coincident(representatives.position, context), context, representatives, clusters);
 }
 
 void reduceDivided(const std::vector<char>& divided, IndexLists finer, const PointSet& points,
@@ -299,7 +310,7 @@ void dropCrowded(Representatives& representatives, IndexLists& clusters, const C
   constexpr int kNeighbors = 6;
   constexpr double kCrowded = 0.5;
   const std::vector<Vec3>& position = representatives.position;
-  const auto search = makeKdTree(position);
+  const auto search = makeKdTree(position, context);
   const NeighborTable neighbors = nearestOfAll(position, *search, kNeighbors, context);
   const std::vector<double> spacing = localSpacings(position, neighbors, context);
   std::vector<Index> joins(position.size(), kNone);
@@ -312,7 +323,7 @@ void dropCrowded(Representatives& representatives, IndexLists& clusters, const C
       break;
     }
   }
-  dropJoined(joins, representatives, clusters);
+  dropJoined(joins, context, representatives, clusters);
 }
 
 }  // namespace mlsmesh::core

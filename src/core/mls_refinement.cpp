@@ -31,10 +31,12 @@ struct EdgeNumbers {
   std::vector<Index> of_half;  // edge of every half-edge
 };
 
-EdgeNumbers numberEdges(const HalfEdgeMesh& mesh) {
+EdgeNumbers numberEdges(const HalfEdgeMesh& mesh, const Context& context) {
+  CancelCheck check(context);
   EdgeNumbers numbers;
   numbers.of_half.resize(3 * static_cast<std::size_t>(mesh.slotCount()));
   for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
+    check();
     const Index g = mesh.twin(h);
     if (g != kNone && g < h) {
       numbers.of_half[h] = numbers.of_half[g];
@@ -166,8 +168,11 @@ class EdgeTest {
 
 // Triangles too thin to divide keep their edges whole.
 void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& position,
-                       const std::vector<Index>& edge_of, double min_ratio, std::vector<SplitEdge>& edges) {
+                       const std::vector<Index>& edge_of, double min_ratio, const Context& context,
+                       std::vector<SplitEdge>& edges) {
+  CancelCheck check(context);
   for (Index t = 0; t < mesh.slotCount(); ++t) {
+    check();
     const auto [a, b, c] = mesh.corners(t);
     const double x = (position[a] - position[b]).norm();
     const double y = (position[b] - position[c]).norm();
@@ -177,19 +182,22 @@ void keepThinTriangles(const HalfEdgeMesh& mesh, const std::vector<Vec3>& positi
   }
 }
 
-std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh,
-                                                const std::vector<SplitEdge>& edges) {
+std::vector<std::array<Index, 2>> unmarkedEdges(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
+                                                const Context& context) {
+  CancelCheck check(context);
   std::vector<std::array<Index, 2>> unmarked;
   for (const SplitEdge& edge : edges) {
+    check();
     if (edge.marked || mesh.isBorder(edge.half_edge)) continue;
     const Index u = mesh.origin(edge.half_edge), v = mesh.target(edge.half_edge);
     unmarked.push_back({std::min(u, v), std::max(u, v)});
   }
   int bits = 1;  // of a vertex number
   while (mesh.vertexCount() >> bits > 0) ++bits;
-  radixSort(unmarked, 2 * bits, [bits](const std::array<Index, 2>& edge) {
+  const auto keyOf = [bits](const std::array<Index, 2>& edge) {
     return static_cast<std::uint64_t>(edge[0]) << bits | static_cast<std::uint64_t>(edge[1]);
-  });
+  };
+  radixSort(unmarked, 2 * bits, keyOf, context);
   return unmarked;
 }
 
@@ -209,8 +217,11 @@ HalfEdgeMesh finestMesh(const RefinedMesh& refined, const Context& context) {
   return mesh;
 }
 
-void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges, RefinedMesh& refined) {
+void appendVertices(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges, const Context& context,
+                    RefinedMesh& refined) {
+  CancelCheck check(context);
   for (const SplitEdge& edge : edges) {
+    check();
     if (!edge.marked) continue;
     refined.position.push_back(edge.position);
     refined.normal.push_back(edge.normal);
@@ -225,7 +236,7 @@ NewLevel newLevel(const HalfEdgeMesh& mesh, const std::vector<SplitEdge>& edges,
                   std::vector<Triangle> triangles, const Context& context, RefinedMesh& refined) {
   NewLevel level;
   level.first_vertex = static_cast<Index>(refined.position.size());
-  appendVertices(mesh, edges, refined);
+  appendVertices(mesh, edges, context, refined);
   for (const SplitEdge& edge : edges) {
     if (edge.marked) level.midpoint.push_back(edge.midpoint);
   }
@@ -250,7 +261,7 @@ Division divide(const HalfEdgeMesh& mesh, const EdgeNumbers& numbers, const Poin
   const double min_ratio = parameters.min_edge_ratio;
   std::vector<Triangle> triangles;
   if (parameters.split_mode == SplitMode::Templates) {
-    keepThinTriangles(mesh, refined.position, numbers.of_half, min_ratio, edges);
+    keepThinTriangles(mesh, refined.position, numbers.of_half, min_ratio, context, edges);
     triangles = splitByTemplates(mesh, refined.position, numbers.of_half, fold_angle, points, context, edges);
   } else {
     triangles = splitOneByOne(mesh, refined.position, min_ratio, fold_angle, points, edges);
@@ -312,17 +323,18 @@ void addLevel(const PointSet& points, const MlsSurface& surface, double spacing,
               const RefinementParameters& parameters, const Context& context, RefinedMesh& refined,
               const Features& features) {
   const HalfEdgeMesh mesh = finestMesh(refined, context);
-  const EdgeNumbers numbers = numberEdges(mesh);
+  const EdgeNumbers numbers = numberEdges(mesh, context);
   const std::vector<Vec3> normals = vertexNormals(refined.level_triangles.back(), refined.position);
   const CreaseEdges creases(features, surface, mesh, refined);
   const PatchEdges patches(mesh, refined.kind);
   const EdgeTest test(points, surface, spacing, parameters, mesh, refined.position, normals,
                       refined.flat_edges, creases, patches);
+  context.checkCancelled();
   std::vector<SplitEdge> edges(numbers.first.size());
   parallelBlocks(context, edges.size(), 256, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) edges[e] = test.evaluate(numbers.first[e]);
   });
-  std::vector<std::array<Index, 2>> flat_edges = unmarkedEdges(mesh, edges);
+  std::vector<std::array<Index, 2>> flat_edges = unmarkedEdges(mesh, edges, context);
 
   Division division = divide(mesh, numbers, points, parameters, context, edges, refined);
   while (parameters.fold_guard && !division.pairs.empty() && unmarkMeeting(division, edges)) {

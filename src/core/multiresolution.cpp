@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "level_zero.h"
-#include "mlsmesh/core/parallel.h"
 #include "mlsmesh/core/parameter_check.h"
 #include "mlsmesh/core/self_intersections.h"
 #include "reduction_stages.h"
@@ -19,8 +18,8 @@ namespace {
 // Times the stages one after the other and tells the progress handle which one runs.
 class Stopwatch {
  public:
-  Stopwatch(Progress progress, std::vector<StageTime>& stages)
-      : progress_(std::move(progress)), stages_(stages) {}
+  Stopwatch(const Context& context, std::vector<StageTime>& stages)
+      : context_(context), progress_(context.progress), stages_(stages) {}
 
   template <typename Work>
   void run(const std::string& stage, double end, const Work& work) {
@@ -30,22 +29,22 @@ class Stopwatch {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     stages_.push_back({stage, seconds.count()});
     progress_.advance(1);
+    context_.checkCancelled();
   }
 
  private:
+  const Context& context_;
   Progress progress_;
   std::vector<StageTime>& stages_;
 };
 
 std::vector<MeshReport> reportLevels(const RefinedMesh& mesh, const Context& context) {
   std::vector<MeshReport> reports(static_cast<std::size_t>(mesh.levelCount()));
-  parallelBlocks(context, reports.size(), 1, [&](std::size_t level, std::size_t) {
+  for (std::size_t level = 0; level < reports.size(); ++level) {
     const bool finest = level + 1 == reports.size();
     const auto begin = mesh.position.begin();
     const std::vector<Vec3> vertices(begin, finest ? begin : begin + mesh.level_vertices[level]);
-    reports[level] = reportMesh(finest ? mesh.position : vertices, mesh.level_triangles[level]);
-  });
-  for (std::size_t level = 0; level < reports.size(); ++level) {
+    reports[level] = reportTopology(finest ? mesh.position : vertices, mesh.level_triangles[level], context);
     std::optional<std::int64_t>& pairs = reports[level].self_intersections;
     pairs = mesh.level_intersections[level];
     if (!pairs) pairs = SelfIntersections(mesh.position, mesh.level_triangles[level], context).count();
@@ -85,10 +84,11 @@ void reduce(Stopwatch& stages, Context& context, Surroundings& cloud, KnownNeigh
 Reconstruction reconstruct(PointSet points, const SearchFactory& search_factory,
                            const MultiresolutionParameters& parameters, Context& context) {
   check(parameters);
-  const SearchFactory makeSearch =
-      search_factory ? search_factory : [](const PointSet& set) { return makeKdTreeOver(set.position); };
+  const SearchFactory makeSearch = search_factory ? search_factory : [&](const PointSet& set) {
+    return makeKdTreeOver(set.position, context);
+  };
   Reconstruction result;
-  Stopwatch stages(context.progress, result.stages);
+  Stopwatch stages(context, result.stages);
   std::unique_ptr<Surroundings> cloud;
   stages.run("search", 0.05, [&] {
     cloud = std::make_unique<Surroundings>(std::move(points), makeSearch);

@@ -32,12 +32,14 @@ bool isInsideOut(const std::vector<Vec3>& points, const std::vector<Triangle>& t
   return body.isInsideOut();
 }
 
-void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh) {
+void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh, const Context& context) {
+  CancelCheck check(context);
   Index count = 0;
-  const std::vector<Index> component = mesh.components(&count);
+  const std::vector<Index> component = mesh.components(&count, context);
   std::vector<Body> bodies(static_cast<std::size_t>(count));
   const auto forEach = [&](const auto& visit) {
     for (Index t = 0; t < mesh.slotCount(); ++t) {
+      check();
       if (component[t] != kNone) visit(t, bodies[component[t]]);
     }
   };

@@ -10,6 +10,6 @@ namespace mlsmesh::core {
 bool isInsideOut(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
 /// Turns every component of the mesh that is inside out. O(n).
-void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh);
+void orientOutward(const std::vector<Vec3>& points, HalfEdgeMesh& mesh, const Context& context = {});
 
 }  // namespace mlsmesh::core

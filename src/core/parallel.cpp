@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "mlsmesh/core/failure.h"
 
@@ -70,6 +74,52 @@ class BlockLoop {
   const Body& body_;
 };
 
+/// Threads that wait for one another, to see how many there can be at a time.
+class Muster {
+ public:
+  ~Muster() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ends_ = true;
+    }
+    end_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  /// One more; false if the system has no room for it.
+  bool add() {
+    try {
+      threads_.emplace_back([this] {
+        std::unique_lock<std::mutex> lock(mutex_);
+        end_.wait(lock, [this] { return ends_; });
+      });
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable end_;
+  bool ends_ = false;
+  std::vector<std::thread> threads_;
+};
+
+/// `wanted`, or as many as can be started: OpenMP ends the process where it cannot start a thread. Those that
+/// the calling thread has had before are its own.
+int startable(int wanted) {
+  thread_local int had = 1;
+  if (wanted <= had) return wanted;
+  int can_be = 1;
+  {
+    Muster muster;
+    while (can_be < wanted && muster.add()) ++can_be;
+  }
+  if (can_be == wanted) had = wanted;
+  return std::max(had, can_be);
+}
+
 }  // namespace
 
 void Context::checkCancelled() const {
@@ -86,8 +136,9 @@ void parallelBlocks(const Context& context, std::size_t count, std::size_t block
   if (count == 0) return;
   BlockLoop loop(context.progress, count, std::max<std::size_t>(block, 1), body);
   const std::size_t blocks = loop.blockCount();
+  // Always as many threads, so that they stay: none is started anew when memory has become short.
   // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the pragma reads it
-  const int threads = static_cast<int>(std::min<std::size_t>(blocks, threadCount(context.threads)));
+  const int threads = blocks > 1 ? startable(threadCount(context.threads)) : 1;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t index = 0; index < blocks; ++index) loop.run(index, omp_get_thread_num() == 0);
   loop.finish();

@@ -37,10 +37,12 @@ struct Dropped {
   std::set<Index> looked_at;  // vertices that are or were pinched, or lost triangles
 };
 
-Dropped dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
+Dropped dropAll(HalfEdgeMesh& mesh, std::size_t limit, const Context& context) {
+  CancelCheck check(context);
   Dropped dropped;
   std::set<Index> pinched;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    check();
     if (mesh.isUsed(v) && mesh.fanCount(v) > 1) pinched.insert(v);
   }
   while (!pinched.empty()) {
@@ -54,10 +56,12 @@ Dropped dropAll(HalfEdgeMesh& mesh, std::size_t limit) {
 
 }  // namespace
 
-PinchCount resolvePinches(HalfEdgeMesh& mesh, Index largest_dropped, std::vector<Index>* duplicate_of) {
+PinchCount resolvePinches(HalfEdgeMesh& mesh, Index largest_dropped, std::vector<Index>* duplicate_of,
+                          const Context& context) {
   PinchCount count;
   const auto limit = static_cast<std::size_t>(largest_dropped);
-  const Dropped dropped = dropAll(mesh, duplicate_of ? limit : static_cast<std::size_t>(mesh.slotCount()));
+  const Dropped dropped =
+      dropAll(mesh, duplicate_of ? limit : static_cast<std::size_t>(mesh.slotCount()), context);
   count.dropped_triangles = dropped.triangles;
   if (!duplicate_of) return count;
   for (const Index v : dropped.looked_at) {

@@ -14,6 +14,7 @@ struct PinchCount {
 /// pinch after the other in vertex order, until none is left to drop; what remains is split with
 /// `duplicate_of` told, or, where that is null, dropped whatever its size. Dropping opens holes: fill
 /// afterwards.
-PinchCount resolvePinches(HalfEdgeMesh& mesh, Index largest_dropped, std::vector<Index>* duplicate_of);
+PinchCount resolvePinches(HalfEdgeMesh& mesh, Index largest_dropped, std::vector<Index>* duplicate_of,
+                          const Context& context = {});
 
 }  // namespace mlsmesh::core

@@ -174,11 +174,15 @@ std::vector<Entry> sortedEntries(const std::vector<Vec3>& local, const std::vect
   parallelBlocks(context, inputs.size(), kBlock, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) entries[i] = {cells.key(local[inputs[i]]), inputs[i]};
   });
-  radixSort(entries, 3 * kMortonBits, [](const Entry& entry) { return entry.key; });
+  radixSort(
+      entries, 3 * kMortonBits, [](const Entry& entry) { return entry.key; }, context);
+  CancelCheck check(context);
   for (auto first = entries.begin(); first != entries.end();) {
+    check();
     const auto last = std::find_if(first, entries.end(), [&](const Entry& e) { return e.key != first->key; });
     if (last - first > 1) {
       std::sort(first, last, [&](const Entry& a, const Entry& b) {
+        check();
         const Vec3 &p = local[a.input], &q = local[b.input];
         return p == q ? a.input < b.input : comesBefore(p, q);
       });
@@ -188,12 +192,15 @@ std::vector<Entry> sortedEntries(const std::vector<Vec3>& local, const std::vect
   return entries;
 }
 
-void keepDistinct(const std::vector<Vec3>& local, const std::vector<Entry>& entries, PointSet& set) {
+void keepDistinct(const std::vector<Vec3>& local, const std::vector<Entry>& entries, const Context& context,
+                  PointSet& set) {
+  CancelCheck check(context);
   set.position.reserve(entries.size());
   set.source.reserve(entries.size());
   set.duplicates_of.begin.reserve(entries.size() + 1);
   set.duplicates_of.items.reserve(entries.size());
   for (const Entry& entry : entries) {
+    check();
     const Vec3& position = local[entry.input];
     if (set.position.empty() || set.position.back() != position) {
       set.position.push_back(position);
@@ -269,8 +276,10 @@ PointSet makePointSet(std::vector<Vec3> world, StoredAs stored_as, const std::ve
   });
   const std::vector<Entry> entries = sortedEntries(local, inputs, MortonCells(box, set.origin), context);
   std::vector<Index>().swap(inputs);
-  keepDistinct(local, entries, set);
+  keepDistinct(local, entries, context, set);
+  context.checkCancelled();
   checkShape(set, given, box);
+  context.checkCancelled();
   return set;
 }
 

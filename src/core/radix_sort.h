@@ -5,16 +5,20 @@
 #include <cstddef>
 #include <vector>
 
+#include "mlsmesh/core/context.h"
+
 namespace mlsmesh::core {
 
 /// Sorts the items by keyOf(item), an unsigned integer below 2^bits, one digit of eleven bits after the
-/// other; items with equal keys keep their order. O(n bits / 11), and as many items of room again.
+/// other; items with equal keys keep their order. Asks the context between digits. O(n bits / 11), and as
+/// many items of room again.
 template <typename Item, typename KeyOf>
-void radixSort(std::vector<Item>& items, int bits, const KeyOf& keyOf) {
+void radixSort(std::vector<Item>& items, int bits, const KeyOf& keyOf, const Context& context = {}) {
   constexpr int kDigit = 11;
   constexpr std::size_t kMask = (std::size_t{1} << kDigit) - 1;
   std::vector<Item> sorted(items.size());
   for (int shift = 0; shift < bits; shift += kDigit) {
+    context.checkCancelled();
     const auto digitOf = [&](const Item& item) {
       return static_cast<std::size_t>(keyOf(item) >> shift) & kMask;
     };

@@ -56,14 +56,16 @@ Rim rimAt(const HalfEdgeMesh& mesh, const std::vector<Vec3>& x, const std::vecto
 }
 
 std::vector<Rim> rimsOf(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
-                        const std::vector<Vec3>& normal) {
+                        const std::vector<Vec3>& normal, const Context& context) {
+  CancelCheck check(context);
   std::vector<Rim> rims;
   for (Index h = 0; h < 3 * mesh.slotCount(); ++h) {
+    check();
     if (mesh.alive(HalfEdgeMesh::triangleOf(h)) && mesh.isBorder(h))
       rims.push_back(rimAt(mesh, points, normal, h));
   }
   if (rims.empty()) return rims;
-  const std::vector<Index> component = mesh.components();
+  const std::vector<Index> component = mesh.components(nullptr, context);
   for (Rim& rim : rims) rim.component = component[rim.triangle];
   return rims;
 }
@@ -116,14 +118,18 @@ class Vicinity {
 
 class Seams {
  public:
-  Seams(const HalfEdgeMesh& mesh, std::vector<Rim> rims)
-      : mesh_(mesh), rims_(std::move(rims)), role_(rims_.size(), NoSeam), groups_(rims_.size()) {}
+  Seams(const HalfEdgeMesh& mesh, std::vector<Rim> rims, const Context& context)
+      : mesh_(mesh),
+        context_(context),
+        rims_(std::move(rims)),
+        role_(rims_.size(), NoSeam),
+        groups_(rims_.size()) {}
 
   SeamCount count() {
     std::vector<Vec3> middles;
     middles.reserve(rims_.size());
     for (const Rim& rim : rims_) middles.push_back(rim.middle);
-    const auto search = makeKdTree(middles);
+    const auto search = makeKdTree(middles, context_);
     findSides(*search);
     join(*search);
     return sum();
@@ -148,8 +154,10 @@ class Seams {
   }
 
   void findSides(const NeighborSearch& search) {
+    constexpr Index kBetween = 64;  // edges between two looks at the handle
     Vicinity vicinity(mesh_);
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
+      if (i % kBetween == 0) context_.checkCancelled();
       std::vector<Index> across = around(search, i);
       across.erase(std::remove_if(across.begin(), across.end(),
                                   [&](Index j) { return !contradict(rims_[i], rims_[j]); }),
@@ -164,7 +172,9 @@ class Seams {
   }
 
   void join(const NeighborSearch& search) {
+    CancelCheck check(context_);
     for (Index i = 0; i < static_cast<Index>(rims_.size()); ++i) {
+      check();
       if (role_[i] == NoSeam) continue;
       for (const Index j : around(search, i)) {
         if (role_[j] != NoSeam) groups_.join(i, j);
@@ -193,6 +203,7 @@ class Seams {
   }
 
   const HalfEdgeMesh& mesh_;
+  const Context& context_;
   const std::vector<Rim> rims_;
   std::vector<Role> role_;
   DisjointSets groups_;
@@ -201,10 +212,10 @@ class Seams {
 }  // namespace
 
 SeamCount countSeams(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
-                     const std::vector<Vec3>& normal) {
-  std::vector<Rim> rims = rimsOf(mesh, points, normal);
+                     const std::vector<Vec3>& normal, const Context& context) {
+  std::vector<Rim> rims = rimsOf(mesh, points, normal, context);
   if (static_cast<Index>(rims.size()) < kLeastEdges) return {};
-  return Seams(mesh, std::move(rims)).count();
+  return Seams(mesh, std::move(rims), context).count();
 }
 
 }  // namespace mlsmesh::core

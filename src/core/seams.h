@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "mlsmesh/core/context.h"
 #include "mlsmesh/core/half_edge_mesh.h"
 
 namespace mlsmesh::core {
@@ -21,6 +22,6 @@ struct SeamCount {
 /// over it must be longer than 30 triangles. `normal`: of the surface at the points, unit, sign arbitrary.
 /// O(T + B log B) for T triangles and B border edges; one thread, safe to call from several.
 SeamCount countSeams(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points,
-                     const std::vector<Vec3>& normal);
+                     const std::vector<Vec3>& normal, const Context& context = {});
 
 }  // namespace mlsmesh::core

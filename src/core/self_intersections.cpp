@@ -144,6 +144,7 @@ SelfIntersections::SelfIntersections(const std::vector<Vec3>& position,
   while (levels_.back().size() > 1) {
     const std::size_t below = levels_.back().size();
     levels_.emplace_back(runsOf(below), emptyRun());
+    context_.checkCancelled();
     for (std::size_t run = 0; run < below; ++run) sumUp(levels_.size() - 2, run);
   }
   spread_.resize(position.size(), 0);
@@ -203,7 +204,8 @@ void SelfIntersections::orderByPlace() {
       places[t] = {code, static_cast<Index>(t)};
     }
   });
-  radixSort(places, 3 * kCodeBits, [](const Place& place) { return place.code; });
+  radixSort(
+      places, 3 * kCodeBits, [](const Place& place) { return place.code; }, context_);
   order_.resize(places.size());
   for (std::size_t rank = 0; rank < places.size(); ++rank) order_[rank] = places[rank].triangle;
 }
@@ -291,7 +293,11 @@ std::vector<TrianglePair> SelfIntersections::all() const {
   });
   std::vector<TrianglePair> pairs;
   for (const std::vector<TrianglePair>& block : found) pairs.insert(pairs.end(), block.begin(), block.end());
-  std::sort(pairs.begin(), pairs.end());
+  CancelCheck check(context_);
+  std::sort(pairs.begin(), pairs.end(), [&](const TrianglePair& a, const TrianglePair& b) {
+    check();
+    return a < b;
+  });
   return pairs;
 }
 
@@ -306,7 +312,9 @@ std::int64_t SelfIntersections::count() const {
 
 std::vector<TrianglePair> SelfIntersections::involving(const std::vector<Index>& triangles) const {
   std::vector<TrianglePair> pairs;
+  CancelCheck check(context_);
   for (const Index triangle : triangles) {
+    check();
     const std::size_t rank = static_cast<std::size_t>(rank_[triangle]);
     visitRuns(boxIn(levels_[0][rank / kRun], rank % kRun), 0, [&](std::size_t run, unsigned lanes) {
       for (std::size_t i = run * kRun; lanes != 0; lanes >>= 1, ++i) {

@@ -280,6 +280,40 @@ TEST_F(Reconstruct, SameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(Reconstruct, MemoryLimitTellsWhatIsNeeded) {
+  const std::string input = folder_.write("sphere.ply", spherePly(20000));
+  const std::string output = folder_.file("out.ply"), json = folder_.file("out.json");
+  using Strings = std::vector<std::string>;
+  for (const Strings& more :
+       {Strings{"--levels", "0"}, Strings{"--levels", "2"}, Strings{"--no-reduction", "--levels", "0"}}) {
+    Strings arguments = {input, output, "--json", json};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto with_limit = [&](int megabytes) {
+      Strings limited = arguments;
+      limited.insert(limited.end(), {"--memory-limit", std::to_string(megabytes)});
+      return run(limited);
+    };
+    const Outcome refused = with_limit(1);
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.err.find("sphere.ply"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("--memory-limit"), std::string::npos) << refused.err;
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"sphere.ply"});
+    const std::size_t number = refused.err.find("may need ");
+    ASSERT_NE(number, std::string::npos) << refused.err;
+    const int needed = std::stoi(refused.err.substr(number + 9));
+    // The memory of the program itself differs a little from run to run.
+    EXPECT_EQ(with_limit(needed * 3 / 4).exit_code, 1);
+    ASSERT_EQ(with_limit(needed + 5).exit_code, 0);
+    const double peak = Json::parse(readFile(json)).at("peak_rss_bytes");
+    EXPECT_LE(peak, (needed + 5) * 1048576.0);
+    EXPECT_GE(peak, needed * 1048576.0 / 2);
+    fs::remove(output);
+    fs::remove(json);
+  }
+  EXPECT_EQ(run({input, output, "--memory-limit", "0"}).exit_code, 2);
+  EXPECT_EQ(run({input, output, "--memory-limit", "much"}).exit_code, 2);
+}
+
 TEST_F(Reconstruct, QuietAndOverwriting) {
   const std::string output = folder_.write("out.ply", "old");
   EXPECT_EQ(runWell({sphere(), output, "--quiet"}), "");

@@ -36,7 +36,7 @@ struct FrontStatistics {
 /// What is triangulated. Only `points` must be given; all that is referred to must outlive the call.
 struct TriangulationInput {
   const std::vector<Vec3>& points;         ///< no two equal
-  const NeighborSearch* search = nullptr;  ///< over the points; null: FLANN's k-d tree
+  const NeighborSearch* search = nullptr;  ///< over the points; null: a k-d tree of its own
   const std::vector<Vec3>* normals =
       nullptr;  ///< unit, sign arbitrary; null: the neighbours' principal components serve
   /// With `normals`, if at hand: the parameters.neighbors nearest others of every point. Saves the search.

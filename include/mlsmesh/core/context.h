@@ -19,4 +19,20 @@ struct Context {
   void checkCancelled() const;
 };
 
+/// For loops on one thread that are long over large clouds: looks at the handle once in so many rounds.
+class CancelCheck {
+ public:
+  explicit CancelCheck(const Context& context) : context_(context) {}
+
+  /// To be called in each round, of less than a few microseconds. Throws as Context::checkCancelled.
+  void operator()() {
+    constexpr unsigned kRounds = 4096;
+    if (++rounds_ % kRounds == 0) context_.checkCancelled();
+  }
+
+ private:
+  const Context& context_;
+  unsigned rounds_ = 0;
+};
+
 }  // namespace mlsmesh::core

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -19,8 +18,19 @@ class Failure : public std::runtime_error {
   StatusCode code_;
 };
 
-/// Runs `work` and turns what it throws into a status: Failure into its code, std::bad_alloc and
-/// std::length_error into OutOfMemory, anything else into Internal.
-Status guarded(const std::function<void()>& work);
+/// The exception that is being handled as a status: Failure as its code, std::bad_alloc and std::length_error
+/// as OutOfMemory, anything else as Internal. Where there is no memory for the text it is a short one.
+Status statusOfException() noexcept;
+
+/// Runs `work` and turns what it throws into a status. Throws nothing, and takes no memory of its own.
+template <typename Work>
+Status guarded(const Work& work) noexcept {
+  try {
+    work();
+    return {};
+  } catch (...) {
+    return statusOfException();
+  }
+}
 
 }  // namespace mlsmesh::core

@@ -82,14 +82,14 @@ class HalfEdgeMesh {
   /// Border loops as vertex cycles, walked by fans, so that pinches do not mix them.
   std::vector<std::vector<Index>> borderLoops() const;
   /// Outgoing border half-edges of each loop, in walking order.
-  std::vector<std::vector<Index>> borderLoopEdges() const;
+  std::vector<std::vector<Index>> borderLoopEdges(const Context& context = {}) const;
   /// The border half-edge after this one on its loop, within its fan.
   Index nextBorder(Index half_edge) const;
   /// Edge-connected component of every triangle slot (kNone for removed ones), numbered in slot order.
-  std::vector<Index> components(Index* count = nullptr) const;
+  std::vector<Index> components(Index* count = nullptr, const Context& context = {}) const;
   /// Empty if all invariants hold (links, twins, one fan a vertex); else a text that names the first
   /// violation.
-  std::string validate(bool allow_pinches = false) const;
+  std::string validate(bool allow_pinches = false, const Context& context = {}) const;
 
  private:
   void link(Index half_edge);
@@ -98,10 +98,10 @@ class HalfEdgeMesh {
   void setCorners(Index half_edge, const Triangle& corners);
   bool startsClosedFan(Index half_edge) const;
   void linkTriangle(Index half_edge);
-  std::string slotFault() const;
-  std::string twinFault() const;
-  std::string listFault() const;
-  std::string fanFault() const;
+  std::string slotFault(CancelCheck& check) const;
+  std::string twinFault(CancelCheck& check) const;
+  std::string listFault(CancelCheck& check) const;
+  std::string fanFault(CancelCheck& check) const;
 
   std::vector<Index> vertex_;
   std::vector<Index> twin_;

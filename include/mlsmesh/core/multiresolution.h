@@ -40,7 +40,7 @@ struct Reconstruction {
   std::vector<StageTime> stages;
 };
 
-/// Runs the four steps. `search` may be null: FLANN's k-d tree is built; otherwise it is called with the
+/// Runs the four steps. `search` may be null: a k-d tree is built; otherwise it is called with the
 /// ordered points of the set and returns the search to use (the adapter of a user's pcl::search::Search).
 /// Every vertex of the result is used by a triangle. Throws Failure.
 using SearchFactory = std::function<std::unique_ptr<NeighborSearch>(const PointSet&)>;

@@ -11,7 +11,7 @@ namespace mlsmesh::core {
 /// Calls `body(first, last)` over blocks that cover [0, count), on the context's threads, in no particular
 /// order; the body writes by index only, so the result is the same for any number of threads. Between blocks
 /// the progress handle is asked and told. Throws what the first failing block (in block order) threw, or
-/// Failure(Cancelled).
+/// Failure(Cancelled). Where the system has no room for so many threads there are fewer.
 void parallelBlocks(const Context& context, std::size_t count, std::size_t block,
                     const std::function<void(std::size_t first, std::size_t last)>& body);
 

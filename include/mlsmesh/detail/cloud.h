@@ -60,6 +60,7 @@ core::PointSet pointSetOf(const typename pcl::PointCloud<PointT>::ConstPtr& clou
   std::vector<core::Vec3> world;
   world.reserve(cloud->size());
   for (const PointT& point : *cloud) world.emplace_back(point.x, point.y, point.z);
+  context.checkCancelled();
   if (!indices) return core::makePointSet(std::move(world), stored_as, nullptr, context);
   const std::vector<core::Index> chosen = coreIndices(*indices);
   return core::makePointSet(std::move(world), stored_as, &chosen, context);

@@ -14,14 +14,17 @@
 namespace mlsmesh::detail {
 
 /// Every point of the set in a list of its own, in the order of the input.
-inline core::IndexLists singletons(const core::PointSet& points) {
+inline core::IndexLists singletons(const core::PointSet& points, const core::Context& context) {
+  core::CancelCheck check(context);
   core::IndexLists lists;
   lists.items.resize(points.size());
   lists.begin.resize(points.size() + 1);
   std::iota(lists.items.begin(), lists.items.end(), 0);
   std::iota(lists.begin.begin(), lists.begin.end(), 0);
-  std::sort(lists.items.begin(), lists.items.end(),
-            [&](core::Index a, core::Index b) { return points.source[a] < points.source[b]; });
+  std::sort(lists.items.begin(), lists.items.end(), [&](core::Index a, core::Index b) {
+    check();
+    return points.source[a] < points.source[b];
+  });
   return lists;
 }
 
@@ -37,14 +40,17 @@ inline std::vector<core::Index> pointOfInput(const core::PointSet& points, std::
 
 /// Clusters of input indices (of a cloud of `count` points) as lists of points of the set: each ascending and
 /// without repeats, empty ones left out; singletons() if `clusters` is empty. Throws
-/// core::Failure(InvalidIndices, EmptyInput).
+/// core::Failure(InvalidIndices, EmptyInput, Cancelled).
 inline core::IndexLists clusterLists(const core::PointSet& points,
-                                     const std::vector<pcl::PointIndices>& clusters, std::size_t count) {
-  if (clusters.empty()) return singletons(points);
+                                     const std::vector<pcl::PointIndices>& clusters, std::size_t count,
+                                     const core::Context& context) {
+  if (clusters.empty()) return singletons(points, context);
+  core::CancelCheck check(context);
   const std::vector<core::Index> point_of = pointOfInput(points, count);
   core::IndexLists lists;
   std::vector<core::Index> members;
   for (const pcl::PointIndices& cluster : clusters) {
+    check();
     members.clear();
     for (const auto index : cluster.indices) {
       if (index < 0 || static_cast<std::size_t>(index) >= count) {

@@ -30,10 +30,12 @@ struct InputMesh {
 
 /// The polygons as triangles over `vertices` vertices. Throws core::Failure(InvalidMesh).
 inline std::vector<core::Triangle> trianglesOf(const std::vector<pcl::Vertices>& polygons,
-                                               std::size_t vertices) {
+                                               std::size_t vertices, const core::Context& context) {
+  core::CancelCheck check(context);
   std::vector<core::Triangle> triangles;
   triangles.reserve(polygons.size());
   for (std::size_t i = 0; i < polygons.size(); ++i) {
+    check();
     const pcl::Indices& corners = polygons[i].vertices;
     if (corners.size() != 3) {
       failMesh("input mesh: polygon " + std::to_string(i) + " has " + std::to_string(corners.size()) +
@@ -51,30 +53,34 @@ inline std::vector<core::Triangle> trianglesOf(const std::vector<pcl::Vertices>&
   return triangles;
 }
 
-inline void checkManifold(const InputMesh& mesh) {
+inline void checkManifold(const InputMesh& mesh, const core::Context& context) {
   core::HalfEdgeMesh half_edges;
   std::string why;
-  if (core::buildMesh(static_cast<core::Index>(mesh.position.size()), mesh.triangles, half_edges, &why)) {
-    why = half_edges.validate();
+  if (core::buildMesh(static_cast<core::Index>(mesh.position.size()), mesh.triangles, half_edges, &why,
+                      context)) {
+    why = half_edges.validate(false, context);
   }
   if (!why.empty()) failMesh("input mesh: not an oriented 2-manifold: " + why);
 }
 
 /// Reads and checks a mesh. Throws core::Failure: NoMesh for a null mesh or one without polygons,
-/// InvalidMesh.
-inline InputMesh readMesh(const pcl::PolygonMesh::ConstPtr& input) {
+/// InvalidMesh, Cancelled.
+inline InputMesh readMesh(const pcl::PolygonMesh::ConstPtr& input, const core::Context& context) {
   if (!input || input->polygons.empty()) {
     throw core::Failure(StatusCode::NoMesh, "no input mesh with triangles: call setInputMesh first");
   }
   InputMesh mesh;
   try {
-    mesh.position = worldPositions(input->cloud, mesh.stored_as);
+    mesh.position = worldPositions(input->cloud, mesh.stored_as, context);
   } catch (const core::Failure& failure) {
+    context.checkCancelled();
     failMesh(std::string("input mesh: ") + failure.what());
   }
-  mesh.triangles = trianglesOf(input->polygons, mesh.position.size());
+  mesh.triangles = trianglesOf(input->polygons, mesh.position.size(), context);
   mesh.used.assign(mesh.position.size(), false);
+  core::CancelCheck check(context);
   for (const core::Triangle& triangle : mesh.triangles) {
+    check();
     for (const core::Index vertex : triangle) {
       if (!mesh.position[vertex].allFinite()) {
         failMesh("input mesh: vertex " + std::to_string(vertex) + " is not finite");
@@ -82,7 +88,7 @@ inline InputMesh readMesh(const pcl::PolygonMesh::ConstPtr& input) {
       mesh.used[vertex] = true;
     }
   }
-  checkManifold(mesh);
+  checkManifold(mesh, context);
   return mesh;
 }
 
@@ -92,6 +98,7 @@ inline core::RefinedMesh levelZero(const InputMesh& input, const core::PointSet&
                                    const core::MlsSurface& surface, const core::Context& context) {
   const std::size_t count = input.position.size();
   core::RefinedMesh mesh;
+  context.checkCancelled();
   mesh.position.assign(count, core::Vec3::Zero());
   mesh.kind.assign(count, core::VertexKind::InputPoint);
   mesh.nearest.assign(count, 0);

@@ -45,12 +45,11 @@ class Step : public Base {
 
   Step() = default;
 
-  /// Calls work(core::Context&) and leaves its outcome and its warnings in status(). Throws nothing.
+  /// Calls work(core::Context&) and leaves its outcome and its warnings in status(). Throws nothing. Unless
+  /// that is Ok, what work() has made is to be thrown away.
   template <typename Work>
   void run(const Work& work) {
-    core::Context context;
-    context.threads = threads_;
-    context.progress = progress_;
+    core::Context context{threads_, progress_, {}};
     context.progress.begin();
     status_ = core::guarded([&] {
       if (threads_ < 0) {
@@ -59,6 +58,7 @@ class Step : public Base {
       }
       work(context);
       context.progress.advance(1.0);
+      context.checkCancelled();
     });
     status_.warnings = std::move(context.warnings);
   }
