@@ -31,11 +31,16 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr int kRetries = 8;        // times that one border edge may look for another apex
-constexpr int kSweeps = 4;         // rounds over all border edges after the queue has run dry
-constexpr int kFreeNeighbors = 6;  // a restart needs so many unused neighbours around each of its points
-constexpr Index kLeastIsland = 8;  // triangles of an island that may start a further component
+constexpr int kRetries = 8;          // times that one border edge may look for another apex
+constexpr int kSweeps = 4;           // rounds over all border edges after the queue has run dry
+constexpr std::int64_t kLooks = 20;  // at border edges in such rounds, a point; then at new ones alone
+constexpr int kFreeNeighbors = 6;    // a restart needs so many unused neighbours around each of its points
+constexpr Index kLeastIsland = 8;    // triangles of an island that may start a further component
 constexpr Index kLargestDroppedFan = 3;
+
+Failure noTriangles() {
+  return {StatusCode::NoTriangles, "no triangle fits the points; they may be too sparse or scattered"};
+}
 
 struct Entry {
   double key;
@@ -72,11 +77,9 @@ class Front {
   /// Works off all border edges, those of loaded triangles too, until nothing fits any more.
   void grow() {
     const bool first_in_first_out = parameters_.order == FrontOrder::FirstInFirstOut;
+    const Index own = next_slot_;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      for (Index h = sweep == 0 ? next_slot_ : 0; h < 3 * mesh_.slotCount(); ++h) {
-        check_();
-        if (mesh_.alive(HalfEdgeMesh::triangleOf(h)) && mesh_.isBorder(h)) enqueue(h);
-      }
+      enqueueFrom(sweep == 0 || looks_ > kLooks * mesh_.vertexCount() ? own : 0);
       const Index before = mesh_.triangleCount();
       workOff();
       next_slot_ = 3 * mesh_.slotCount();
@@ -85,6 +88,19 @@ class Front {
   }
 
  private:
+  // The border edges from this half-edge on. Counts the looks that this takes at edges of earlier growth,
+  // which a cloud of many small islands would take without end.
+  void enqueueFrom(Index first) {
+    constexpr Index kCheap = 64;  // half-edges that are passed over in the time of a look
+    for (Index h = first; h < 3 * mesh_.slotCount(); ++h) {
+      check_();
+      if (!mesh_.alive(HalfEdgeMesh::triangleOf(h)) || !mesh_.isBorder(h)) continue;
+      enqueue(h);
+      if (first == 0) ++looks_;
+    }
+    if (first == 0) looks_ += 3 * mesh_.slotCount() / kCheap;
+  }
+
   // An edge waits with the apex that seems best; whether that is legal shows when its turn comes, which for
   // many an edge it never does.
   void enqueue(Index half_edge) {
@@ -140,6 +156,7 @@ class Front {
   std::priority_queue<Entry, std::vector<Entry>, Later> queue_;
   std::vector<unsigned char> retries_;
   std::int64_t sequence_ = 0;
+  std::int64_t looks_ = 0;
   Index next_slot_ = 0;
 };
 
@@ -287,10 +304,7 @@ void growFronts(const FrontInput& input, const std::vector<Vec3>& normals,
     growFromIslands(input, normals, std::move(islands), parameters, context, mesh, front);
   }
   if (mesh.triangleCount() == 0) growFromSingleTriangles(input, normals, parameters, context, mesh, front);
-  if (mesh.triangleCount() == 0) {
-    throw Failure(StatusCode::NoTriangles,
-                  "no triangle fits the points; they may be too sparse or scattered");
-  }
+  if (mesh.triangleCount() == 0) throw noTriangles();
 }
 
 CloudSupport supportOf(const TriangulationInput& input, const VertexData& data, double reach) {
@@ -338,6 +352,7 @@ Index unusedPoints(const HalfEdgeMesh& mesh, std::size_t points) {
 
 Triangulation triangulate(const TriangulationInput& input, const TriangulationParameters& parameters,
                           const Context& context) {
+  if (input.points.size() < 3) throw noTriangles();
   Triangulation result;
   VertexData data(input);
   HalfEdgeMesh mesh = growMesh(input, parameters, context, data, result.statistics);
@@ -370,6 +385,7 @@ Triangulation triangulate(const TriangulationInput& input, const TriangulationPa
   result.statistics.seam_edges = seams.edges;
   result.statistics.unused_points = unusedPoints(mesh, input.points.size());
   result.triangles = mesh.triangles();
+  if (result.triangles.empty()) throw noTriangles();
   return result;
 }
 

@@ -48,7 +48,9 @@ double FrontRules::lengthLimit(Index u, Index v) const {
 int FrontRules::windowOf(double bend) const {
   if (bend > parameters_.bend_max) return -1;
   if (bend <= parameters_.bend_first) return 0;
-  return static_cast<int>(std::ceil((bend - parameters_.bend_first) / parameters_.bend_step));
+  constexpr double kMost = 1e9;  // windows that an int can tell apart
+  return static_cast<int>(
+      std::min(kMost, std::ceil((bend - parameters_.bend_first) / parameters_.bend_step)));
 }
 
 double FrontRules::scoreOf(Index u, Index v, Index apex, double bend) const {

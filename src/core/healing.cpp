@@ -125,19 +125,24 @@ class Healer {
   }
 
   bool repairMeetings() {
+    constexpr TrianglePair kBeforeAll = {kNone, kNone};
     std::set<TrianglePair> hopeless;
-    for (;;) {
+    TrianglePair known = kBeforeAll;  // all pairs up to it are hopeless
+    while (!repair_.isSpent()) {
       context_.checkCancelled();
-      const auto next = std::find_if(surgery_.pairs().begin(), surgery_.pairs().end(),
+      const auto next = std::find_if(surgery_.pairs().upper_bound(known), surgery_.pairs().end(),
                                      [&](const TrianglePair& pair) { return hopeless.count(pair) == 0; });
       if (next == surgery_.pairs().end()) break;
       const TrianglePair pair = *next;
       const Region place = placeOf(pair);
       noteTrouble(verticesOf(mesh_, place));
-      if (repairPlace(place))
+      if (repairPlace(place)) {
         ++statistics_.repaired_places;
-      else
+        known = kBeforeAll;
+      } else {
         hopeless.insert(pair);
+        known = pair;
+      }
     }
     while (!surgery_.pairs().empty()) {
       repair_.open({worseOf(*surgery_.pairs().begin())});
@@ -149,10 +154,7 @@ class Healer {
 
   // The triangle of the pair that meets more others; of equals, the one that leans more.
   Index worseOf(const TrianglePair& pair) const {
-    std::array<Index, 2> met{};
-    for (const TrianglePair& other : surgery_.pairs()) {
-      for (std::size_t i = 0; i < 2; ++i) met[i] += other[0] == pair[i] || other[1] == pair[i] ? 1 : 0;
-    }
+    const std::size_t met[] = {surgery_.partnersOf(pair[0]).size(), surgery_.partnersOf(pair[1]).size()};
     if (met[0] != met[1]) return pair[met[0] > met[1] ? 0 : 1];
     return pair[leanOf(mesh_.corners(pair[0])) > leanOf(mesh_.corners(pair[1])) ? 0 : 1];
   }
@@ -160,10 +162,12 @@ class Healer {
   // The triangles of the pair and of all pairs that are linked to it.
   Region placeOf(const TrianglePair& first) const {
     std::set<Index> place(first.begin(), first.end());
-    for (std::size_t before = 0; before != place.size();) {
-      before = place.size();
-      for (const TrianglePair& pair : surgery_.pairs()) {
-        if (place.count(pair[0]) != 0 || place.count(pair[1]) != 0) place.insert(pair.begin(), pair.end());
+    std::vector<Index> waiting(first.begin(), first.end());
+    while (!waiting.empty()) {
+      const Index triangle = waiting.back();
+      waiting.pop_back();
+      for (const Index partner : surgery_.partnersOf(triangle)) {
+        if (place.insert(partner).second) waiting.push_back(partner);
       }
     }
     return {place.begin(), place.end()};

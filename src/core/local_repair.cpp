@@ -8,19 +8,8 @@
 namespace mlsmesh::core {
 namespace {
 
-constexpr std::size_t kMostEdges = 60;  // of a loop that is filled: the work grows with their cube
-
-// The loops that the border half-edges lie on, each once.
-std::vector<std::vector<Index>> loopsOf(const HalfEdgeMesh& mesh, const std::vector<Index>& half_edges) {
-  std::vector<std::vector<Index>> loops;
-  std::set<Index> seen;
-  for (const Index start : half_edges) {
-    if (seen.count(start) != 0) continue;
-    std::vector<Index>& loop = loops.emplace_back();
-    for (Index h = start; seen.insert(h).second; h = mesh.nextBorder(h)) loop.push_back(h);
-  }
-  return loops;
-}
+constexpr std::size_t kMostEdges = 60;     // of a loop that is filled: the work grows with their cube
+constexpr std::int64_t kMostWalked = 400;  // edges of border loops, a triangle
 
 std::vector<Index> bordersAt(const HalfEdgeMesh& mesh, const std::vector<Index>& vertices) {
   std::vector<Index> borders;
@@ -57,9 +46,34 @@ std::vector<Index> verticesOf(const HalfEdgeMesh& mesh, const Region& region) {
   return distinct(std::move(vertices));
 }
 
-LocalTopology LocalRepair::topologyAt(const std::vector<Index>& vertices) const {
+bool LocalRepair::isSpent() const {
+  return walked_ > kMostWalked * surgery_.mesh().slotCount();
+}
+
+// The loops that the border half-edges lie on, each once, from the first of them that lies on it.
+LocalRepair::Loops LocalRepair::loopsOf(const std::vector<Index>& half_edges) {
   const HalfEdgeMesh& mesh = surgery_.mesh();
-  return {surgery_.pairs().size(), loopsOf(mesh, bordersAt(mesh, vertices)).size(), surgery_.euler()};
+  const Region waiting = distinct(half_edges);
+  std::vector<char> done(waiting.size(), 0);
+  const auto placeOf = [&](Index h) { return std::lower_bound(waiting.begin(), waiting.end(), h); };
+  Loops loops;
+  for (const Index start : half_edges) {
+    if (done[placeOf(start) - waiting.begin()] != 0) continue;
+    std::vector<Index>& loop = loops.emplace_back();
+    Index h = start;
+    do {
+      loop.push_back(h);
+      const auto place = placeOf(h);
+      if (place != waiting.end() && *place == h) done[place - waiting.begin()] = 1;
+      h = mesh.nextBorder(h);
+    } while (h != start);
+    walked_ += static_cast<std::int64_t>(loop.size());
+  }
+  return loops;
+}
+
+LocalTopology LocalRepair::topologyAt(const std::vector<Index>& vertices) {
+  return {surgery_.pairs().size(), loopsOf(bordersAt(surgery_.mesh(), vertices)).size(), surgery_.euler()};
 }
 
 Index LocalRepair::componentCount() const {
@@ -74,6 +88,7 @@ bool LocalRepair::isPinched(const std::vector<Index>& vertices) const {
 }
 
 bool LocalRepair::attempt(const std::vector<Index>& vertices, const Change& change, const Helps& helps) {
+  if (isSpent()) return false;
   const std::size_t mark = surgery_.mark();
   const LocalTopology before = topologyAt(vertices);
   if (components_ == kNone) components_ = componentCount();
@@ -95,7 +110,7 @@ bool LocalRepair::renew(const Region& region) {
   const std::size_t mark = surgery_.mark();
   surgery_.remove(region);
   const std::vector<Index> opened = surgery_.openedSince(mark);
-  std::vector<std::vector<Index>> loops = loopsOf(mesh, opened);
+  Loops loops = loopsOf(opened);
   const auto wasOpen = std::stable_partition(loops.begin(), loops.end(), [&](const std::vector<Index>& loop) {
     return std::all_of(loop.begin(), loop.end(),
                        [&](Index h) { return std::binary_search(opened.begin(), opened.end(), h); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "mesh_surgery.h"
@@ -38,6 +39,9 @@ class LocalRepair {
   /// Does what `change` does, at these vertices alone; keeps it where it returns true, pinches none of them,
   /// makes no more meetings, loops, handles or components, and helps. Takes it back otherwise.
   bool attempt(const std::vector<Index>& vertices, const Change& change, const Helps& helps);
+  /// Every attempt walks the border loops at its vertices. Once that has come to so many edges a triangle
+  /// that the cloud cannot be much of a surface, no further one is made: attempt() returns false.
+  bool isSpent() const;
 
   /// Takes the region out and closes the loops which that opens, but for those that were open before; where a
   /// whole border goes with the region, the longest loop takes its place. False (with the work half done)
@@ -49,12 +53,16 @@ class LocalRepair {
   void open(Region region);
 
  private:
-  LocalTopology topologyAt(const std::vector<Index>& vertices) const;
+  using Loops = std::vector<std::vector<Index>>;
+
+  Loops loopsOf(const std::vector<Index>& half_edges);
+  LocalTopology topologyAt(const std::vector<Index>& vertices);
   bool isPinched(const std::vector<Index>& vertices) const;
   Region smallerFans(const std::vector<Index>& vertices) const;
   Index componentCount() const;
 
   MeshSurgery& surgery_;
+  std::int64_t walked_ = 0;   // edges of border loops
   Index components_ = kNone;  // kNone: not counted yet; no change that is kept makes more
 };
 

@@ -22,7 +22,22 @@ MeshSurgery::MeshSurgery(HalfEdgeMesh& mesh, const std::vector<Vec3>& points, co
   }
   for (Index v = 0; v < mesh.vertexCount(); ++v) used_ += mesh.isUsed(v) ? 1 : 0;
   renewSearch();
-  for (const TrianglePair& pair : search_->all()) pairs_.insert(pair);
+  for (const TrianglePair& pair : search_->all()) notePair(pair);
+}
+
+std::vector<Index> MeshSurgery::partnersOf(Index triangle) const {
+  std::vector<Index> partners;
+  for (const auto* pairs : {&reversed_, &pairs_}) {
+    for (auto pair = pairs->lower_bound({triangle, 0}); pair != pairs->end() && (*pair)[0] == triangle;
+         ++pair)
+      partners.push_back((*pair)[1]);
+  }
+  return partners;
+}
+
+void MeshSurgery::notePair(const TrianglePair& pair) {
+  pairs_.insert(pair);
+  reversed_.insert({pair[1], pair[0]});
 }
 
 // Builds the search anew, with slots to spare.
@@ -72,16 +87,17 @@ Index MeshSurgery::freeSlot() {
 }
 
 void MeshSurgery::forgetPairs(const std::vector<Index>& triangles) {
-  for (auto pair = pairs_.begin(); pair != pairs_.end();) {
-    const bool gone = std::binary_search(triangles.begin(), triangles.end(), (*pair)[0]) ||
-                      std::binary_search(triangles.begin(), triangles.end(), (*pair)[1]);
-    pair = gone ? pairs_.erase(pair) : std::next(pair);
+  for (const Index t : triangles) {
+    for (const Index partner : partnersOf(t)) {
+      pairs_.erase({std::min(t, partner), std::max(t, partner)});
+      reversed_.erase({std::max(t, partner), std::min(t, partner)});
+    }
   }
 }
 
 void MeshSurgery::findPairs(const std::vector<Index>& triangles) {
   search_->update(triangles);
-  for (const TrianglePair& pair : search_->involving(triangles)) pairs_.insert(pair);
+  for (const TrianglePair& pair : search_->involving(triangles)) notePair(pair);
 }
 
 void MeshSurgery::remove(const std::vector<Index>& triangles) {

@@ -19,6 +19,8 @@ class MeshSurgery {
   const std::vector<Vec3>& points() const { return points_; }
   const Context& context() const { return context_; }
   const std::set<TrianglePair>& pairs() const { return pairs_; }
+  /// The triangles that this one meets where it should not, ascending. O(log pairs) each.
+  std::vector<Index> partnersOf(Index triangle) const;
   /// V - E + F of the vertices that triangles use.
   Index euler() const { return used_ - (3 * mesh_.triangleCount() + border_) / 2 + mesh_.triangleCount(); }
   Index borderEdges() const { return border_; }
@@ -47,6 +49,7 @@ class MeshSurgery {
   void takeOut(Index triangle);
   Index putIn(const Triangle& corners, Index slot);
   Index freeSlot();
+  void notePair(const TrianglePair& pair);
   void forgetPairs(const std::vector<Index>& triangles);
   void findPairs(const std::vector<Index>& triangles);
 
@@ -57,6 +60,7 @@ class MeshSurgery {
   std::vector<Index> free_;      // dead slots, the next one last
   std::unique_ptr<SelfIntersections> search_;
   std::set<TrianglePair> pairs_;
+  std::set<TrianglePair> reversed_;  // the same, the higher first
   std::vector<Step> log_;
   Index border_ = 0;
   Index used_ = 0;

@@ -11,8 +11,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-
-#include "mlsmesh/core/failure.h"
+#include <limits>
 
 namespace mlsmesh::core {
 namespace {
@@ -24,11 +23,14 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 constexpr double kOnRim = 2;        // weight of an umbrella on the rim: small patches must not crease there
 constexpr double kShortest = 1e-3;  // of the mean edge at a vertex: a shorter one weighs no more
 
+const Vec3 kNowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+
+// Not numbers where rounding leaves no solution: edges of very different lengths.
 std::vector<Vec3> solve(const Sparse& matrix, const Columns& right) {
   const Eigen::SimplicialLDLT<Sparse> solver(matrix);
-  if (solver.info() != Eigen::Success) throw Failure(StatusCode::Internal, "a patch cannot be smoothed");
+  std::vector<Vec3> rows(static_cast<std::size_t>(right.rows()), kNowhere);
+  if (solver.info() != Eigen::Success) return rows;
   const Columns solution = solver.solve(right);
-  std::vector<Vec3> rows(static_cast<std::size_t>(solution.rows()));
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = solution.row(static_cast<Eigen::Index>(i));
   return rows;
 }

@@ -7,7 +7,7 @@ namespace mlsmesh::core {
 
 /// Where the patch's own vertices, first_vertex .. vertexCount() - 1 of the mesh, lie on a membrane over its
 /// rim: every one in the middle of its neighbours. The border of the patch must be closed. Any positions of
-/// theirs will do. About O(n^1.5).
+/// theirs will do. About O(n^1.5). Here as below, not numbers where edges are too different for doubles.
 std::vector<Vec3> membrane(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index first_vertex);
 
 /// Where they lie on a surface that goes on as the mesh around the patch bends: the squared curvature, summed

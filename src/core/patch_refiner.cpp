@@ -14,7 +14,8 @@ namespace mlsmesh::core {
 namespace {
 
 constexpr double kDensity = 1.4142135623730951;  // Liepa's alpha
-constexpr Index kMostVertices = 50000;
+constexpr std::size_t kMostVertices = 50000;
+constexpr std::size_t kFewVertices = 500;  // that any patch may have
 constexpr int kFlipRounds = 20;
 constexpr double kHalfTurn = 3.14159265358979323846 + 1e-6;
 
@@ -39,7 +40,10 @@ double meanEdge(const HalfEdgeMesh& mesh, const std::vector<Vec3>& points, Index
 
 PatchRefiner::PatchRefiner(HalfEdgeMesh& mesh, std::vector<Vec3>& points, PatchRange range,
                            const std::vector<Index>& rim)
-    : mesh_(mesh), points_(points), range_(range) {
+    : mesh_(mesh),
+      points_(points),
+      range_(range),
+      most_vertices_(static_cast<Index>(std::min(kMostVertices, kFewVertices + rim.size() * rim.size()))) {
   double mean = 0;
   for (const Index v : rim) {
     const double size = meanEdge(mesh, points, v, range.first_triangle);
@@ -87,7 +91,7 @@ bool PatchRefiner::divideOnce() {
   const Index end = mesh_.slotCount();
   for (Index t = range_.first_triangle; t < end; ++t) {
     if (!mesh_.alive(t)) continue;
-    if (mesh_.vertexCount() - range_.first_vertex >= kMostVertices) break;
+    if (mesh_.vertexCount() - range_.first_vertex >= most_vertices_) break;
     const auto [a, b, c] = mesh_.corners(t);
     const Vec3 middle = (points_[a] + points_[b] + points_[c]) / 3;
     const double size = (sizeAt(a) + sizeAt(b) + sizeAt(c)) / 3;

@@ -27,7 +27,8 @@ class PatchRefiner {
   /// Puts a vertex on the middle of every edge across the patch between two vertices of its rim.
   void splitChords();
   /// Puts vertices into the middles of triangles, and flips edges, until all triangles are as small as the
-  /// edge lengths interpolated from the rim ask for, or the patch has 50,000 vertices. True if there are new
+  /// edge lengths interpolated from the rim ask for, or the patch has 50,000 vertices, or 500 and the square
+  /// of those on its rim: a ball on a rim of even edges has less than half as many. True if there are new
   /// ones.
   bool divide();
   /// Flips edges until the angles opposite to each sum up to half a turn at most, or 20 rounds have passed.
@@ -45,6 +46,7 @@ class PatchRefiner {
   HalfEdgeMesh& mesh_;
   std::vector<Vec3>& points_;
   const PatchRange range_;
+  const Index most_vertices_;
   std::unordered_map<Index, double> rim_size_;  // edge length asked for at the vertices of the rim
   std::vector<double> own_size_;                // and at the patch's own
 };

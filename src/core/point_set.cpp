@@ -56,6 +56,11 @@ double roundedToFloat(double value) {
   return static_cast<double>(rounded);
 }
 
+double heldByFloat(double value) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return value > kMost ? kMost : value < -kMost ? -kMost : value;
+}
+
 Vec3 roundedTo(StoredAs type, const Vec3& world) {
   return type == StoredAs::Float ? Vec3(world.unaryExpr(&roundedToFloat)) : world;
 }
@@ -256,7 +261,9 @@ void checkShape(const PointSet& set, std::size_t given, const Box& box) {
 }  // namespace
 
 Vec3 PointSet::stored(const Vec3& local) const {
-  return roundedTo(stored_as, world(local)) - origin;
+  const Vec3 place = world(local);
+  if (stored_as == StoredAs::Double) return place - origin;
+  return roundedTo(stored_as, place.unaryExpr(&heldByFloat)) - origin;
 }
 
 PointSet makePointSet(std::vector<Vec3> world, StoredAs stored_as, const std::vector<Index>* indices,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mlsmesh/core/bsp_clustering.h"
+#include "mlsmesh/core/failure.h"
 #include "mlsmesh/core/outliers.h"
 #include "sheet_clusters.h"
 
@@ -74,7 +75,13 @@ std::vector<Index> outliersOf(const Surroundings& cloud, const Context& context,
 // Goes on without the outliers: with new clusters where they are many, with the old ones where a few went.
 void leaveOut(const std::vector<Index>& outliers, Context& context, Surroundings& cloud,
               Reconstruction& result) {
-  constexpr double kMany = 0.01;  // of the points
+  constexpr double kMany = 0.01;      // of the points
+  constexpr std::size_t kFewest = 3;  // points of a surface
+  if (outliers.size() + kFewest > cloud.points.position.size()) {
+    throw Failure(StatusCode::NoTriangles,
+                  "the points are so scattered that all were taken for outliers; outliers.remove = "
+                  "false keeps them");
+  }
   const MultiresolutionParameters& parameters = result.noise.parameters;
   const bool many = static_cast<double>(outliers.size()) > kMany * cloud.points.size();
   std::vector<Vec3> positions;

@@ -59,6 +59,14 @@ void expectCounted(const MeshSurgery& surgery) {
   EXPECT_EQ(surgery.borderEdges(), report.border_edges);
   EXPECT_EQ(static_cast<std::int64_t>(surgery.pairs().size()), report.self_intersections);
   EXPECT_EQ(surgery.mesh().validate(true), "");
+  for (Index t = 0; t < surgery.mesh().slotCount(); ++t) {
+    std::vector<Index> partners;
+    for (const auto& [a, b] : surgery.pairs()) {
+      if (a == t || b == t) partners.push_back(a == t ? b : a);
+    }
+    std::sort(partners.begin(), partners.end());
+    EXPECT_EQ(surgery.partnersOf(t), partners);
+  }
 }
 
 TEST(MeshSurgery, CountsWhatIsThereAfterEveryChange) {

@@ -21,7 +21,8 @@ struct PointSet {
   Index duplicates = 0;  ///< input points dropped because another has the same position
 
   Index size() const { return static_cast<Index>(position.size()); }
-  /// `local` as it will read once stored in world coordinates of type stored_as.
+  /// `local` as it will read once stored in world coordinates of type stored_as; what lies beyond the largest
+  /// float is stored as that.
   Vec3 stored(const Vec3& local) const;
   /// World coordinates of a local position, before they are rounded to stored_as.
   Vec3 world(const Vec3& local) const { return local + origin; }
