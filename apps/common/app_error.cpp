@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/app_error.h"
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -45,6 +46,7 @@ void printWarning(const std::string& program, const std::string& message) {
 }
 
 int runProgram(const std::string& program, const std::function<int()>& work) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than allowed is an error of writing, as on a full disk
   try {
     return work();
   } catch (const AppError& error) {
