@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <set>
+#include <type_traits>
 
 namespace mlsmesh::apps {
 
@@ -45,11 +48,25 @@ bool isColor(const std::string& name) {
   return name == "rgb" || name == "rgba";
 }
 
+/// `value` as the nearest value of a type; of an integer, NaN becomes 0.
+template <class T>
+T saturated(double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(value);
+  } else {
+    if (std::isnan(value)) return 0;
+    // The largest integers of 64 bits round up to a double beyond them.
+    if (value >= static_cast<double>(std::numeric_limits<T>::max())) return std::numeric_limits<T>::max();
+    if (value <= static_cast<double>(std::numeric_limits<T>::min())) return std::numeric_limits<T>::min();
+    return static_cast<T>(value);
+  }
+}
+
 void store(const CloudColumn& column, double value, std::uint8_t* bytes) {
   // A packed colour is an integer, whatever type PCL gives the field.
   const std::uint8_t type = isColor(column.name) ? std::uint8_t{Type::UINT32} : column.datatype;
   withType(type, [&](auto zero) {
-    const auto typed = static_cast<decltype(zero)>(value);
+    const auto typed = saturated<decltype(zero)>(value);
     std::memcpy(bytes, &typed, sizeof typed);
   });
 }
@@ -74,8 +91,23 @@ struct Rounding {
   }
 };
 
+/// Without blanks and control characters, which end a name in the header of a file.
 std::string fileName(const std::string& field) {
-  return field.rfind("normal_", 0) == 0 && field.size() == 8 ? std::string("n") + field.back() : field;
+  if (field.rfind("normal_", 0) == 0 && field.size() == 8) return std::string("n") + field.back();
+  std::string name = field;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c <= ' ' || c == 0x7f; }, '_');
+  return name;
+}
+
+/// A name that comes again gets a number.
+void makeUnique(std::vector<FieldSlot>& slots) {
+  std::set<std::string> names;
+  for (FieldSlot& slot : slots) {
+    const std::string name = slot.name;
+    for (int number = 2; !names.insert(slot.name).second; ++number)
+      slot.name = name + "_" + std::to_string(number);
+  }
 }
 
 void appendSlots(const pcl::PCLPointField& field, std::vector<FieldSlot>& slots) {
@@ -91,7 +123,8 @@ void appendSlots(const pcl::PCLPointField& field, std::vector<FieldSlot>& slots)
     slots.push_back({fileName(field.name), field.offset, field.datatype});
   } else {
     for (std::uint32_t i = 0; i < field.count; ++i) {
-      slots.push_back({field.name + "_" + std::to_string(i), field.offset + i * size, field.datatype});
+      slots.push_back(
+          {fileName(field.name) + "_" + std::to_string(i), field.offset + i * size, field.datatype});
     }
   }
 }
@@ -110,7 +143,7 @@ std::vector<CloudColumn> coordinateColumns(std::vector<double> x, std::vector<do
 CloudColumn colorColumn(const std::vector<double>& red, const std::vector<double>& green,
                         const std::vector<double>& blue, const std::vector<double>* alpha) {
   const auto byte = [](double value) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    return std::isnan(value) ? 0 : static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 255.0)));
   };
   CloudColumn column;
   column.name = alpha ? "rgba" : "rgb";
@@ -157,6 +190,7 @@ const pcl::PCLPointField* findField(const pcl::PCLPointCloud2& cloud, const std:
 std::vector<FieldSlot> fieldSlots(const pcl::PCLPointCloud2& cloud) {
   std::vector<FieldSlot> slots;
   for (const pcl::PCLPointField& field : cloud.fields) appendSlots(field, slots);
+  makeUnique(slots);
   return slots;
 }
 

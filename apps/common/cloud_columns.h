@@ -25,7 +25,8 @@ std::vector<CloudColumn> coordinateColumns(std::vector<double> x, std::vector<do
 CloudColumn colorColumn(const std::vector<double>& red, const std::vector<double>& green,
                         const std::vector<double>& blue, const std::vector<double>* alpha = nullptr);
 
-/// An unorganised cloud with one field a column, in order; all columns are equally long.
+/// An unorganised cloud with one field a column, in order; all columns are equally long. Values beyond the
+/// type of an integer become its nearest.
 void makeCloud(const std::vector<CloudColumn>& columns, pcl::PCLPointCloud2& cloud);
 
 /// The field of that name, or null.
@@ -41,7 +42,7 @@ struct FieldSlot {
 
 /// All scalars of a cloud in order: rgb and rgba taken apart into red, green, blue (and alpha) bytes,
 /// normal_x, normal_y, normal_z called nx, ny, nz, further values of a field of several called NAME_0,
-/// NAME_1, ...; padding left out.
+/// NAME_1, ...; padding left out. Names have no blanks, and none comes twice.
 std::vector<FieldSlot> fieldSlots(const pcl::PCLPointCloud2& cloud);
 
 /// The slot of that name, or null.

@@ -5,15 +5,18 @@
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
 #include "common/header_check.h"
+#include "common/ply_cloud.h"
 #include "common/text_cloud.h"
 #include "common/vtk_io.h"
+#include "mlsmesh/core/types.h"
 
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
-#include <pcl/io/ply_io.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace mlsmesh::apps {
@@ -49,12 +52,6 @@ void readPcd(const fs::path& file, pcl::PCLPointCloud2& cloud) {
   readWithPcl(file, "PCD", [&] { return pcl::PCDReader().read(file.string(), cloud); });
 }
 
-void readPly(const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  const std::size_t announced = checkPlyHeader(file);
-  readWithPcl(file, "PLY", [&] { return pcl::PLYReader().read(file.string(), cloud); });
-  if (pointCount(cloud) != announced) throw damagedFile(file.string(), "PLY");
-}
-
 void readXyzFile(const fs::path& file, pcl::PCLPointCloud2& cloud) {
   readXyz(readBytes(file), file.string(), cloud);
 }
@@ -68,7 +65,7 @@ struct Format {
 };
 
 constexpr std::array<Format, 9> kFormats = {{{"pcd", readPcd},
-                                             {"ply", readPly},
+                                             {"ply", readPlyCloud},
                                              {"obj", readObjFile},
                                              {"vtk", readVtk},
                                              {"vtp", readVtp},
@@ -95,8 +92,14 @@ void checkPoints(const fs::path& file, const pcl::PCLPointCloud2& cloud) {
     }
   }
   if (pointCount(cloud) == 0) throw fileError(file.string(), "holds no points; give a file with points");
-  if (cloud.data.size() < pointCount(cloud) * cloud.point_step)
-    throw damagedFile(file.string(), "point cloud");
+  if (pointCount(cloud) > static_cast<std::size_t>(std::numeric_limits<core::Index>::max()))
+    throw fileError(file.string(), "has more points than 32-bit indices can name; thin it out first");
+  bool is_whole = cloud.data.size() >= pointCount(cloud) * cloud.point_step;
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    const std::size_t values = std::max<std::size_t>(field.count, 1);
+    is_whole = is_whole && field.offset + values * sizeOfType(field.datatype) <= cloud.point_step;
+  }
+  if (!is_whole) throw damagedFile(file.string(), "point cloud");
 }
 
 }  // namespace

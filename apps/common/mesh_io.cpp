@@ -2,6 +2,7 @@
 #include "common/mesh_io.h"
 
 #include "common/app_error.h"
+#include "common/atomic_output.h"
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
 #include "common/vtk_io.h"
@@ -213,9 +214,7 @@ void checkWritableMeshFormat(const fs::path& file) {
 }
 
 void writeMesh(const fs::path& file, const fs::path& target, const pcl::PolygonMesh& mesh) {
-  if (!formatOf(target).write(file, mesh)) {
-    throw fileError(target.string(), "could not be written whole; is the disk full?");
-  }
+  if (!formatOf(target).write(file, mesh)) throw notWritten(file, target);
 }
 
 std::vector<std::string> lossesOf(const fs::path& target, const pcl::PCLPointCloud2& vertices) {

@@ -5,6 +5,7 @@
 #include "common/file_bytes.h"
 #include "common/obj_mesh.h"
 #include "common/ply_mesh.h"
+#include "common/stl_mesh.h"
 #include "common/vtk_mesh.h"
 #include "mlsmesh/mesh_welding.h"
 

@@ -40,6 +40,9 @@ bool isComment(std::string_view line) {
 
 void checkRow(const NumberTable& table, std::size_t added, const std::string& file, const TextLines& lines,
               std::string_view line) {
+  constexpr std::size_t kMostColumns = 10000;
+  if (added > kMostColumns)
+    throw lineError(file, lines, line, "too many numbers in a line; every line is one point");
   if (added < 3) throw lineError(file, lines, line, "fewer than three numbers; every line needs x y z");
   if (added != table.columns) {
     throw lineError(file, lines, line,

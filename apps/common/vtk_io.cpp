@@ -4,9 +4,10 @@
 #include "common/app_error.h"
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
-#include "common/header_check.h"
+#include "common/point_arrays.h"
 #include "common/vtk_errors.h"
 #include "common/vtk_legacy.h"
+#include "common/vtp_check.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -14,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
@@ -22,7 +22,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <array>
-#include <climits>
 
 namespace mlsmesh::apps {
 
@@ -76,29 +75,15 @@ int vtkTypeOf(std::uint8_t type) {
   }
 }
 
-std::vector<double> component(vtkDataArray& array, int index) {
-  std::vector<double> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = array.GetComponent(static_cast<vtkIdType>(i), index);
-  }
-  return values;
-}
-
-void appendArray(vtkDataArray& array, bool is_normals, std::vector<CloudColumn>& columns) {
+/// All values of an array, tuple by tuple.
+std::vector<double> valuesOf(vtkDataArray& array) {
+  const vtkIdType tuples = array.GetNumberOfTuples();
   const int components = array.GetNumberOfComponents();
-  const std::string name = array.GetName() ? array.GetName() : "scalars";
-  const std::uint8_t type = typeOf(array.GetDataType());
-  if (type == Type::UINT8 && (components == 3 || components == 4)) {
-    const std::vector<double> alpha = components == 4 ? component(array, 3) : std::vector<double>();
-    columns.push_back(colorColumn(component(array, 0), component(array, 1), component(array, 2),
-                                  components == 4 ? &alpha : nullptr));
-    return;
-  }
-  for (int c = 0; c < components; ++c) {
-    std::string field = components == 1 ? name : name + "_" + std::to_string(c);
-    if (is_normals && components == 3) field = std::string("normal_") + "xyz"[c];
-    columns.push_back({field, type, component(array, c)});
-  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(tuples) * static_cast<std::size_t>(components));
+  for (vtkIdType i = 0; i < tuples; ++i)
+    for (int c = 0; c < components; ++c) values.push_back(array.GetComponent(i, c));
+  return values;
 }
 
 void makeCloudOf(vtkPolyData& set, pcl::PCLPointCloud2& cloud) {
@@ -106,13 +91,18 @@ void makeCloudOf(vtkPolyData& set, pcl::PCLPointCloud2& cloud) {
   const std::uint8_t type = typeOf(points.GetDataType()) == Type::FLOAT64 ? Type::FLOAT64 : Type::FLOAT32;
   std::vector<CloudColumn> columns;
   for (int axis = 0; axis < 3; ++axis) {
-    columns.push_back({std::string(1, "xyz"[axis]), type, component(points, axis)});
+    columns.push_back({std::string(1, "xyz"[axis]), type, {}});
+    for (vtkIdType i = 0; i < points.GetNumberOfTuples(); ++i)
+      columns.back().values.push_back(points.GetComponent(i, axis));
   }
   vtkPointData& data = *set.GetPointData();
   for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
     vtkDataArray* array = data.GetArray(i);
     if (array == nullptr || array->GetNumberOfTuples() != points.GetNumberOfTuples()) continue;
-    appendArray(*array, array == data.GetNormals(), columns);
+    const std::string name = array->GetName() ? array->GetName() : "scalars";
+    const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+    appendPointArray({name, typeOf(array->GetDataType()), components, array == data.GetNormals()},
+                     valuesOf(*array), columns);
   }
   makeCloud(columns, cloud);
 }
@@ -210,19 +200,11 @@ bool writeWithVtk(Writer& writer, const fs::path& file, const vtkSmartPointer<vt
 }  // namespace
 
 void readVtk(const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  const std::string points = pointsOfLegacyVtk(readBytes(file), file.string());
-  if (points.size() > static_cast<std::size_t>(INT_MAX)) {
-    throw fileError(file.string(),
-                    "is larger than the 2 GB that VTK reads in this format; write .ply instead");
-  }
-  vtkNew<vtkPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetBinaryInputString(points.data(), static_cast<int>(points.size()));
-  readWithVtk(*reader.GetPointer(), file, cloud);
+  makeCloud(cloudOfLegacyVtk(readBytes(file), file.string()), cloud);
 }
 
 void readVtp(const fs::path& file, pcl::PCLPointCloud2& cloud) {
-  checkVtpHeader(file);
+  checkVtp(file);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   readWithVtk(*reader.GetPointer(), file, cloud);

@@ -1,247 +1,224 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/vtk_legacy.h"
 
-#include "common/app_error.h"
+#include "common/legacy_walk.h"
+#include "common/point_arrays.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cstdint>
-#include <map>
-#include <sstream>
-#include <vector>
+#include <cmath>
+#include <iterator>
 
 namespace mlsmesh::apps {
 
 namespace {
 
-using Words = std::vector<std::string>;
-
-constexpr const char* kBlanks = " \t\r\n";
-
-/// Walks over the lines and blocks of numbers of a legacy file.
-class LegacyWalk {
- public:
-  LegacyWalk(const std::string& content, const std::string& file) : content_(content), file_(file) {
-    const Words version = nextLine();
-    if (content_.rfind("# vtk DataFile Version ", 0) != 0 || version.size() < 5) {
-      throw fileError(file_, "is not a legacy VTK file; give the file the extension of its format");
-    }
-    has_offsets_ = version[4] >= "5";
-    nextLine();
-    const Words storage = nextLine();
-    if (storage.size() != 1 || (storage[0] != "ASCII" && storage[0] != "BINARY"))
-      throw damaged("neither ASCII nor BINARY");
-    binary_ = storage[0] == "BINARY";
-  }
-
-  bool atEnd() const { return position_ >= content_.size(); }
-  std::size_t position() const { return position_; }
-  bool isBinary() const { return binary_; }
-  bool hasOffsets() const { return has_offsets_; }
-  AppError damaged(const std::string& what) const {
-    return fileError(file_, "damaged VTK file, " + what + "; write the file again");
-  }
-
-  /// The words of the next line, the first one in capitals.
-  Words nextLine() {
-    const std::size_t end = std::min(content_.find('\n', position_), content_.size());
-    std::istringstream line(content_.substr(position_, std::min<std::size_t>(end - position_, 1000)));
-    position_ = end + 1;
-    Words words;
-    for (std::string word; line >> word;) words.push_back(word);
-    if (words.empty()) return {""};
-    for (char& c : words[0]) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return words;
-  }
-
-  /// The same of the next line that is not blank, such as the end of the line that numbers are on.
-  Words nextFilledLine() {
-    Words words;
-    do words = nextLine();
-    while (words[0].empty() && !atEnd());
-    return words;
-  }
-
-  std::size_t count(const Words& line, std::size_t index) const {
-    const std::string text = index < line.size() ? line[index] : "";
-    const bool number =
-        !text.empty() && text.size() < 16 && text.find_first_not_of("0123456789") == std::string::npos;
-    if (!number) throw damaged("the line '" + line[0] + "' lacks a count");
-    return std::stoull(text);
-  }
-
-  /// Steps over `values` numbers of a type.
-  void skipNumbers(std::size_t values, const std::string& type) {
-    if (binary_) skipBytes(values, sizeOf(type));
-    for (std::size_t i = 0; !binary_ && i < values; ++i) skipWord(type);
-  }
-
-  /// A list of cells: two counts, and as many numbers.
-  void skipCells(const Words& line) {
-    const std::size_t first = count(line, 1);
-    const std::size_t second = count(line, 2);
-    if (!has_offsets_) return skipNumbers(second, "int");
-    for (const std::size_t values : {first, second}) {
-      const Words block = nextLine();
-      if (block.size() == 2) skipNumbers(values, block[1]);
-    }
-  }
-
-  /// Steps over a list of cells of the older layout, each a count and as many corners, none beyond the end.
-  void checkCells(const Words& line) {
-    if (has_offsets_) return checkOffsetCells(line);
-    const std::size_t cells = count(line, 1), numbers = count(line, 2);
-    std::size_t used = 0;
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-      const std::int64_t corners = used < numbers ? nextInteger() : -1;
-      if (corners < 0 || static_cast<std::size_t>(corners) >= numbers - used)
-        throw damaged("the cells of '" + line[0] + "' do not fit its size");
-      skipNumbers(static_cast<std::size_t>(corners), "int");
-      used += 1 + static_cast<std::size_t>(corners);
-    }
-    if (used != numbers) throw damaged("the cells of '" + line[0] + "' do not fill its size");
-  }
-
-  /// The newer layout: where every cell begins, and the corners of all; the first count is one more than the
-  /// cells.
-  void checkOffsetCells(const Words& line) {
-    for (const std::size_t index : {1, 2}) {
-      const Words block = nextFilledLine();
-      const bool is_known = block.size() == 2 && block[0] == (index == 1 ? "OFFSETS" : "CONNECTIVITY");
-      if (!is_known) throw damaged("'" + line[0] + "' without OFFSETS and CONNECTIVITY");
-      skipNumbers(count(line, index), block[1]);
-    }
-  }
-
-  void skipFields(const Words& line) {
-    for (std::size_t i = 0; i < count(line, 2); ++i) {
-      const Words array = nextLine();
-      if (array.size() == 4) skipNumbers(count(array, 1) * count(array, 2), array[3]);
-    }
-  }
-
- private:
-  std::size_t sizeOf(std::string type) const {
-    static const std::map<std::string, std::size_t> kSizes = {
-        {"char", 1},         {"unsigned_char", 1}, {"short", 2}, {"unsigned_short", 2}, {"int", 4},
-        {"unsigned_int", 4}, {"vtktypeint32", 4},  {"float", 4}, {"long", 8},           {"unsigned_long", 8},
-        {"vtkidtype", 4},    {"vtktypeint64", 8},  {"double", 8}};
-    std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
-    const auto found = kSizes.find(type);
-    if (found == kSizes.end()) throw damaged("unknown type '" + type + "'");
-    return found->second;
-  }
-
-  void skipBytes(std::size_t values, std::size_t bytes_each) {
-    if (values > (content_.size() - std::min(position_, content_.size())) / bytes_each) throw cutOff();
-    position_ += values * bytes_each;
-  }
-
-  /// One number of a list of cells: big-endian, or a word.
-  std::int64_t nextInteger() {
-    const std::size_t start = position_;
-    skipNumbers(1, "int");
-    if (binary_) {
-      std::uint32_t value = 0;
-      for (std::size_t i = start; i < position_; ++i)
-        value = value << 8 | static_cast<unsigned char>(content_[i]);
-      return static_cast<std::int32_t>(value);
-    }
-    const std::size_t first = content_.find_first_not_of(kBlanks, start);
-    std::int64_t value = -1;
-    std::from_chars(content_.data() + first, content_.data() + position_, value);
-    return value;
-  }
-
-  /// A word that VTK can read as a number of that type; it crashes over others, also over NaN.
-  void skipWord(const std::string& type) {
-    const std::size_t first = content_.find_first_not_of(kBlanks, position_);
-    if (first == std::string::npos) throw cutOff();
-    position_ = std::min(content_.find_first_of(kBlanks, first), content_.size());
-    const bool is_real = type == "float" || type == "double";
-    const std::string word = content_.substr(first, std::min<std::size_t>(position_ - first, 60));
-    const bool has_digit = word.find_first_of("0123456789") != std::string::npos;
-    if (!has_digit ||
-        word.find_first_not_of(is_real ? "+-.0123456789eE" : "-0123456789") != std::string::npos)
-      throw damaged("'" + word + "' is not a number of type " + type);
-  }
-
-  AppError cutOff() const {
-    return fileError(file_, "is cut off: it holds fewer numbers than it announces; copy the file again");
-  }
-
-  const std::string& content_;
-  const std::string& file_;
-  std::size_t position_ = 0;
-  bool binary_ = false;
-  bool has_offsets_ = false;
-};
+using Type = pcl::PCLPointField::PointFieldTypes;
+using Words = LegacyWalk::Words;
 
 bool isCellList(const std::string& keyword) {
   static const Words kKeywords = {"VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS"};
   return std::find(kKeywords.begin(), kKeywords.end(), keyword) != kKeywords.end();
 }
 
-/// Where the point data begin, from the present position on.
-std::size_t findPointData(const std::string& content, std::size_t from) {
-  const std::size_t found = content.find("\nPOINT_DATA", from > 0 ? from - 1 : 0);
-  return found == std::string::npos ? content.size() : found + 1;
+/// Three numbers a point, and their type.
+struct Points {
+  std::vector<double> coordinates;
+  std::uint8_t type = 0;
+
+  std::size_t size() const { return coordinates.size() / 3; }
+};
+
+Points readPoints(LegacyWalk& walk, const Words& line) {
+  if (line.size() != 3) throw walk.damaged("the line POINTS is not whole");
+  Points points;
+  points.coordinates = walk.numbers(walk.count(line, 1), 3, line[2]);
+  points.type = legacyType(line[2]) == Type::FLOAT64 ? Type::FLOAT64 : Type::FLOAT32;
+  return points;
+}
+
+/// Names hold blanks and the like as %20.
+std::string decodedName(const std::string& name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const std::string digits = name[i] == '%' ? name.substr(i + 1, 2) : "";
+    const bool is_code =
+        digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    text += is_code ? static_cast<char>(std::stoi(digits, nullptr, 16)) : name[i];
+    if (is_code) i += 2;
+  }
+  return text;
+}
+
+/// The point data, array by array.
+class Attributes {
+ public:
+  Attributes(LegacyWalk& walk, std::size_t points, std::vector<CloudColumn>& columns)
+      : walk_(walk), points_(points), columns_(columns) {}
+
+  /// Up to the end, the data of cells, or what is not known.
+  void read() {
+    while (!walk_.atEnd() && readNext(walk_.nextLine())) {
+    }
+  }
+
+ private:
+  bool readNext(const Words& line) {
+    const std::string& keyword = line[0];
+    if (keyword.empty()) return true;
+    if (keyword == "METADATA") return skipMetadata();
+    if (keyword == "FIELD") return readFields(line);
+    if (keyword == "LOOKUP_TABLE") return skipTable(line);
+    if (keyword == "COLOR_SCALARS") return readColors(line);
+    if (keyword == "SCALARS") return readScalars(line);
+    if (keyword == "TEXTURE_COORDINATES")
+      return line.size() == 4 && take(line[1], line[3], walk_.count(line, 2));
+    if (line.size() != 3) return false;
+    if (keyword == "NORMALS") return take(line[1], line[2], 3, true);
+    if (keyword == "VECTORS") return take(line[1], line[2], 3);
+    if (keyword == "TENSORS") return take(line[1], line[2], 9);
+    if (keyword == "TENSORS6") return take(line[1], line[2], 6);
+    return (keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS") && take(line[1], line[2], 1);
+  }
+
+  /// Lines up to a blank one.
+  bool skipMetadata() {
+    while (!walk_.atEnd() && !walk_.nextLine()[0].empty()) {
+    }
+    return true;
+  }
+
+  bool take(const std::string& name, const std::string& type, std::size_t components,
+            bool is_normals = false) {
+    const std::uint8_t field = legacyType(type);
+    if (field == 0) return false;
+    const std::vector<double> values = walk_.numbers(points_, components, type);
+    appendPointArray({decodedName(name), field, components, is_normals}, values, columns_);
+    return true;
+  }
+
+  bool readScalars(const Words& line) {
+    if ((line.size() != 3 && line.size() != 4) || legacyType(line[2]) == 0) return false;
+    const std::size_t components = line.size() == 4 ? walk_.count(line, 3) : 1;
+    if (walk_.nextFilledLine()[0] != "LOOKUP_TABLE") throw walk_.damaged("SCALARS without LOOKUP_TABLE");
+    return take(line[1], line[2], components);
+  }
+
+  /// Bytes, or numbers from 0 to 1 in text.
+  bool readColors(const Words& line) {
+    const std::size_t components = walk_.count(line, 2);
+    std::vector<double> values =
+        walk_.numbers(points_, components, walk_.isBinary() ? "unsigned_char" : "float");
+    if (!walk_.isBinary())
+      for (double& value : values) value = std::floor(255 * value + 0.5);
+    appendPointArray({decodedName(line[1]), Type::UINT8, components, false}, values, columns_);
+    return true;
+  }
+
+  bool skipTable(const Words& line) {
+    walk_.skipNumbers(walk_.count(line, 2), 4, walk_.isBinary() ? "unsigned_char" : "float");
+    return true;
+  }
+
+  bool readFields(const Words& line) {
+    for (std::size_t left = walk_.count(line, 2); left > 0 && !walk_.atEnd();) {
+      const Words array = walk_.nextFilledLine();
+      if (array[0] == "METADATA") {
+        skipMetadata();
+        continue;
+      }
+      if (array.size() != 4) return false;
+      --left;
+      if (walk_.count(array, 2) != points_) {
+        walk_.skipNumbers(walk_.count(array, 1), walk_.count(array, 2), array[3]);
+      } else if (!take(walk_.lastName(), array[3], walk_.count(array, 1))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  LegacyWalk& walk_;
+  std::size_t points_;
+  std::vector<CloudColumn>& columns_;
+};
+
+/// Every other triangle of a strip is listed the other way round.
+void appendStrips(const LegacyWalk::Cells& strips, PolygonSoup& soup) {
+  std::size_t first = 0;
+  for (const std::size_t end : strips.ends) {
+    for (std::size_t i = first + 2; i < end; ++i) {
+      const std::size_t odd = (i - first) % 2;
+      for (const std::size_t place : {i - 2 + odd, i - 1 - odd, i})
+        soup.corners.push_back(strips.corners[place]);
+      soup.endPolygon();
+    }
+    first = end;
+  }
+}
+
+void appendPolygons(const LegacyWalk::Cells& polygons, PolygonSoup& soup) {
+  std::size_t first = 0;
+  for (const std::size_t end : polygons.ends) {
+    for (; first < end; ++first) soup.corners.push_back(polygons.corners[first]);
+    soup.endPolygon();
+  }
+}
+
+AppError noPoints(const std::string& file) {
+  return fileError(file, "holds no POINTS; give a file with points");
 }
 
 }  // namespace
 
-std::string pointsOfLegacyVtk(const std::string& content, const std::string& file) {
+std::vector<CloudColumn> cloudOfLegacyVtk(const std::string& content, const std::string& file) {
   LegacyWalk walk(content, file);
-  std::string points;
-  std::size_t point_data = content.size();
-  while (!walk.atEnd() && point_data == content.size()) {
-    const std::size_t start = walk.position();
+  Points points;
+  std::vector<CloudColumn> data;
+  while (!walk.atEnd() && data.empty()) {
     const Words line = walk.nextLine();
-    if (line[0] == "POINTS") {
-      if (line.size() != 3) throw walk.damaged("the line POINTS is not whole");
-      walk.skipNumbers(3 * walk.count(line, 1), line[2]);
-      points = content.substr(start, walk.position() - start) + "\n";
-    } else if (line[0] == "FIELD") {
-      walk.skipFields(line);
-    } else if (isCellList(line[0])) {
-      walk.skipCells(line);
-    } else if (line[0] == "CELL_TYPES") {
-      walk.skipNumbers(walk.count(line, 1), "int");
-    } else if (line[0] == "CELL_DATA") {
-      point_data = findPointData(content, walk.position());
-      if (point_data == content.size()) break;
-    } else if (line[0] == "POINT_DATA") {
-      point_data = start;
-    }
+    if (line[0] == "POINTS") points = readPoints(walk, line);
+    if (line[0] == "FIELD") walk.skipFields(line);
+    if (isCellList(line[0])) walk.skipCells(line);
+    if (line[0] == "CELL_TYPES") walk.skipNumbers(walk.count(line, 1), 1, "int");
+    if (line[0] == "CELL_DATA") walk.skipTo("POINT_DATA");
+    if (line[0] != "POINT_DATA" || points.size() == 0) continue;
+    if (walk.count(line, 1) != points.size()) throw walk.damaged("POINT_DATA of another number of points");
+    Attributes(walk, points.size(), data).read();
+    break;
   }
-  if (points.empty()) throw fileError(file, "holds no POINTS; give a file with points");
-  const std::string heading = "# vtk DataFile Version 4.2\npoints\n";
-  const std::string storage = walk.isBinary() ? "BINARY\n" : "ASCII\n";
-  return heading + storage + "DATASET POLYDATA\n" + points + content.substr(point_data);
+  if (points.size() == 0) throw noPoints(file);
+  std::vector<CloudColumn> columns;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    columns.push_back({std::string(1, "xyz"[axis]), points.type, {}});
+    for (std::size_t i = axis; i < points.coordinates.size(); i += 3)
+      columns.back().values.push_back(points.coordinates[i]);
+  }
+  std::move(data.begin(), data.end(), std::back_inserter(columns));
+  return columns;
 }
 
-std::string polygonsOfLegacyVtk(const std::string& content, const std::string& file) {
+PolygonSoup meshOfLegacyVtk(const std::string& content, const std::string& file) {
   LegacyWalk walk(content, file);
   bool is_polygons = false;
-  std::string blocks;
-  while (!walk.atEnd()) {
-    const std::size_t start = walk.position();
-    const Words line = walk.nextLine();
-    const bool is_points = line[0] == "POINTS";
-    const bool is_surface = line[0] == "POLYGONS" || line[0] == "TRIANGLE_STRIPS";
+  Points points;
+  PolygonSoup soup;
+  LegacyWalk::Cells strips;
+  for (Words line = {""}; !walk.atEnd() && line[0] != "CELL_DATA" && line[0] != "POINT_DATA";) {
+    line = walk.nextLine();
     if (line[0] == "DATASET") is_polygons = line.size() == 2 && line[1] == "POLYDATA";
-    if (is_points && line.size() != 3) throw walk.damaged("the line POINTS is not whole");
-    if (is_points) walk.skipNumbers(3 * walk.count(line, 1), line[2]);
+    if (line[0] == "POINTS") points = readPoints(walk, line);
     if (line[0] == "FIELD") walk.skipFields(line);
-    if (isCellList(line[0])) walk.checkCells(line);
-    if (is_points || is_surface) blocks += content.substr(start, walk.position() - start) + "\n";
-    if (line[0] == "CELL_DATA" || line[0] == "POINT_DATA") break;
+    if (!isCellList(line[0])) continue;
+    LegacyWalk::Cells cells = walk.cells(line);
+    if (line[0] == "POLYGONS") appendPolygons(cells, soup);
+    if (line[0] == "TRIANGLE_STRIPS") strips = std::move(cells);
   }
   if (!is_polygons) throw fileError(file, "its data set is not POLYDATA; save the surface as polygons");
-  const std::string version = walk.hasOffsets() ? "5.1" : "4.2";
-  const std::string storage = walk.isBinary() ? "BINARY\n" : "ASCII\n";
-  return "# vtk DataFile Version " + version + "\npolygons\n" + storage + "DATASET POLYDATA\n" + blocks;
+  if (points.size() == 0) throw noPoints(file);
+  appendStrips(strips, soup);
+  for (std::size_t i = 0; i < points.coordinates.size(); i += 3)
+    soup.vertices.emplace_back(points.coordinates[i], points.coordinates[i + 1], points.coordinates[i + 2]);
+  return soup;
 }
 
 }  // namespace mlsmesh::apps

@@ -3,9 +3,9 @@
 
 #include "common/app_error.h"
 #include "common/file_bytes.h"
-#include "common/header_check.h"
 #include "common/vtk_errors.h"
 #include "common/vtk_legacy.h"
+#include "common/vtp_check.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -14,11 +14,8 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
-#include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <climits>
 #include <string>
 
 namespace mlsmesh::apps {
@@ -88,28 +85,12 @@ PolygonSoup readWithVtk(Reader& reader, const fs::path& file, const std::string&
 
 }  // namespace
 
-PolygonSoup readStlMesh(const fs::path& file) {
-  checkStlLength(file);
-  vtkNew<vtkSTLReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->MergingOff();  // it would drop degenerate triangles
-  return readWithVtk(*reader.GetPointer(), file, "STL");
-}
-
 PolygonSoup readVtkMesh(const fs::path& file) {
-  const std::string content = polygonsOfLegacyVtk(readBytes(file), file.string());
-  if (content.size() > static_cast<std::size_t>(INT_MAX)) {
-    throw fileError(file.string(),
-                    "is larger than the 2 GB that VTK reads in this format; write .ply instead");
-  }
-  vtkNew<vtkPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetBinaryInputString(content.data(), static_cast<int>(content.size()));
-  return readWithVtk(*reader.GetPointer(), file, "VTK");
+  return meshOfLegacyVtk(readBytes(file), file.string());
 }
 
 PolygonSoup readVtpMesh(const fs::path& file) {
-  checkVtpHeader(file);
+  checkVtp(file);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   return readWithVtk(*reader.GetPointer(), file, "VTP");

@@ -7,9 +7,9 @@
 
 namespace mlsmesh::apps {
 
-// Polygons, and strips of triangles taken apart, through VTK's own readers. Each throws AppError.
+// Polygons, and strips of triangles taken apart, of VTK's formats; the second through its own reader. Each
+// throws AppError.
 
-PolygonSoup readStlMesh(const std::filesystem::path& file);
 /// A legacy file whose data set is polygons.
 PolygonSoup readVtkMesh(const std::filesystem::path& file);
 PolygonSoup readVtpMesh(const std::filesystem::path& file);

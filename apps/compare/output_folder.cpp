@@ -2,11 +2,13 @@
 #include "compare/output_folder.h"
 
 #include "common/app_error.h"
+#include "common/file_swap.h"
 
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
+#include <set>
 #include <system_error>
 
 namespace mlsmesh::apps {
@@ -57,15 +59,20 @@ void OutputFolder::discard(const std::string& name) {
 }
 
 void OutputFolder::commit() {
-  std::error_code error;
-  for (const std::string& name : discarded_) fs::remove(folder_ / name, error);
+  std::vector<FileSwap> swaps;
+  std::set<fs::path> drafted;
   for (const auto& entry : fs::recursive_directory_iterator(drafts_)) {
     if (!entry.is_regular_file()) continue;
     const fs::path target = folder_ / fs::relative(entry.path(), drafts_);
+    std::error_code error;
     fs::create_directories(target.parent_path(), error);
-    if (!error) fs::rename(entry.path(), target, error);
-    if (error) throw fileError(target.string(), "cannot be put in place (" + error.message() + ")");
+    if (error) throw folderError(target.parent_path(), error);
+    swaps.push_back({entry.path(), target, target});
+    drafted.insert(target);
   }
+  for (const std::string& name : discarded_)
+    if (drafted.count(folder_ / name) == 0) swaps.push_back({{}, folder_ / name, folder_ / name});
+  swapAll(swaps);
 }
 
 }  // namespace mlsmesh::apps

@@ -25,7 +25,7 @@ class OutputFolder {
   const std::filesystem::path& scratchFolder() const { return scratch_; }
   /// There shall be no file of that name: neither its draft nor one from an earlier comparison.
   void discard(const std::string& name);
-  /// Puts the drafts in place, each in one step. Throws AppError.
+  /// Puts all drafts in place, or none (see swapAll). Throws AppError.
   void commit();
 
  private:

@@ -27,7 +27,7 @@ void writePicture(vtkRenderWindow& window, const std::filesystem::path& file) {
   writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(output.temporary().c_str());
   writer->Write();
-  if (writer->GetErrorCode() != 0) throw fileError(file.string(), "could not be written; is the disk full?");
+  if (writer->GetErrorCode() != 0) throw notWritten(output.temporary(), file);
   output.commit();
 }
 

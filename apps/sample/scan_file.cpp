@@ -5,11 +5,13 @@
 #include "common/atomic_output.h"
 #include "common/cloud_columns.h"
 #include "common/file_bytes.h"
+#include "common/mesh_io.h"
 
 #include <pcl/io/pcd_io.h>
-#include <pcl/io/ply_io.h>
 
 #include <cstdio>
+#include <locale>
+#include <sstream>
 
 namespace mlsmesh::apps {
 namespace {
@@ -32,6 +34,18 @@ pcl::PCLPointCloud2 toCloud(const std::vector<core::Vec3>& points, const std::ve
   pcl::PCLPointCloud2 cloud;
   makeCloud(columns, cloud);
   return cloud;
+}
+
+/// By PCL's header: its writer crashes on a full disk, through its mapping of the file.
+std::string toPcd(const pcl::PCLPointCloud2& cloud) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << pcl::PCDWriter().generateHeaderBinary(cloud, Eigen::Vector4f::Zero(),
+                                                Eigen::Quaternionf::Identity())
+       << "DATA binary\n";
+  text.write(reinterpret_cast<const char*>(cloud.data.data()),
+             static_cast<std::streamsize>(cloud.data.size()));
+  return text.str();
 }
 
 std::string toText(const pcl::PCLPointCloud2& cloud) {
@@ -62,17 +76,15 @@ void writeScan(const std::vector<core::Vec3>& points, const std::vector<core::Ve
   AtomicOutput file(output);
   const pcl::PCLPointCloud2 cloud = toCloud(points, colors);
   const std::string extension = extensionOf(output);
-  const Eigen::Vector4f origin = Eigen::Vector4f::Zero();
-  const Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
-  int outcome = 0;
   if (extension == "pcd") {
-    outcome = pcl::PCDWriter().writeBinary(file.temporary().string(), cloud, origin, orientation);
+    writeFile(file.temporary(), toPcd(cloud), output);
   } else if (extension == "ply") {
-    outcome = pcl::PLYWriter().writeBinary(file.temporary().string(), cloud, origin, orientation);
+    pcl::PolygonMesh mesh;
+    mesh.cloud = cloud;
+    writeMesh(file.temporary(), output, mesh);
   } else {
     writeFile(file.temporary(), toText(cloud), output);
   }
-  if (outcome != 0) throw fileError(output.string(), "could not be written; is the disk full?");
   file.commit();
 }
 

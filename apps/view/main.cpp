@@ -17,11 +17,20 @@ namespace {
 
 using namespace mlsmesh;
 
-/// Before any work: every picture that is asked for can be written.
+void checkPicture(const std::filesystem::path& picture, const apps::ViewOptions& options) {
+  if (picture.empty()) return;
+  apps::checkWritable(picture);
+  for (const std::filesystem::path& input : options.files) {
+    if (!apps::isSameFile(picture, input)) continue;
+    throw apps::AppError(apps::kExitUsage, picture.string() + ": would overwrite the input '" +
+                                               input.string() + "'; give another name for the picture");
+  }
+}
+
+/// Before any work: every picture that is asked for can be written, and is no input.
 void checkPictures(const apps::ViewOptions& options) {
-  if (!options.screenshot.empty()) apps::checkWritable(options.screenshot);
-  for (const apps::ScriptStep& step : options.script)
-    if (!step.argument.empty()) apps::checkWritable(step.argument);
+  checkPicture(options.screenshot, options);
+  for (const apps::ScriptStep& step : options.script) checkPicture(step.argument, options);
 }
 
 /// The cloud that --cloud names, or else the only one among the files.

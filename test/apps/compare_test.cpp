@@ -135,6 +135,23 @@ TEST(Compare, DoublesFarFromTheOriginComeBackThere) {
   }
 }
 
+TEST(Compare, OldFilesStayUnlessAllNewOnesAreInPlace) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("sphere.xyz", sphereXyz(500));
+  const std::string output = folder.file("out");
+  fs::create_directories(folder.path() / "out" / "results.json");  // in the way of one of the last
+  folder.write("out/report.html", "old");
+  const Outcome outcome =
+      runCompare({cloud, "--methods", "level-0", "--no-pictures", "--truth", "none", "--output", output});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("results.json"), std::string::npos) << outcome.err;
+  EXPECT_EQ(readFile(output + "/report.html"), "old");
+  fs::remove(output + "/report.html");
+  fs::remove(output + "/results.json");
+  for (const auto& entry : fs::recursive_directory_iterator(output))
+    EXPECT_TRUE(entry.is_directory()) << entry.path() << " was left";
+}
+
 TEST(Compare, SeveralCloudsShareOnePage) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "other");

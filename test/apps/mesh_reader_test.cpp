@@ -171,13 +171,11 @@ TEST(MeshReader, FindsDamageOfLegacyVtk) {
   EXPECT_NE(errorOf("a.vtk", head + "POLYGONS 1 4\n3 0 1 x\n").find("'x' is not a number"),
             std::string::npos);
   EXPECT_NE(errorOf("a.vtk", head + "POLYGONS 1 4\n3 0 1 1.5\n").find("'1.5'"), std::string::npos);
-  EXPECT_NE(errorOf("a.vtk", std::string(head).replace(head.find("0.1"), 3, "nan")).find("'nan'"),
-            std::string::npos);
+  EXPECT_EQ(readText("a.vtk", std::string(head).replace(head.find("0.1"), 3, "nan")).non_finite_vertices, 1);
   EXPECT_EQ(
       readText("a.vtk", std::string(head).replace(head.find("3.0"), 3, "2.\x01") + "POLYGONS 1 4\n3 0 1 2\n")
           .triangles.size(),
-      1U)
-      << "VTK crashes over such a version";
+      1U);
   EXPECT_EQ(readText("a.vtk", head + "POLYGONS 1 4\n3 0 1 7\n").dropped_faces, 1);
   const std::string newer = std::string(head).replace(head.find("3.0"), 3, "5.1");
   EXPECT_EQ(

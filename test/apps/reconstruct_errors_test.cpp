@@ -254,6 +254,10 @@ TEST_F(ReconstructErrors, Permissions) {
   EXPECT_TRUE(open.names().empty());
   const std::string input = sphere();
   fs::permissions(input, fs::perms(0644));
+  const std::string kept = open.write("kept.ply", "old");
+  fs::permissions(kept, fs::perms(0444));
+  expectError({input, kept}, 1, "kept.ply", "may not be written to", becomeNobody);
+  EXPECT_EQ(readFile(kept), "old");
   fs::permissions(folder_.path(), fs::perms(0555));
   expectError({input, folder_.file("out.ply")}, 1, "out.ply", "cannot write", becomeNobody);
   fs::permissions(folder_.path(), fs::perms(0755));

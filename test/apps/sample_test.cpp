@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <ostream>
 #include <string>
@@ -67,6 +69,21 @@ TEST_P(SampleFormat, IsTheSameFileForTheSameSeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, SampleFormat, testing::Values("pcd", "ply", "xyz"));
+
+TEST_P(SampleFormat, FullDiskLeavesTheOldFileAlone) {
+  const TemporaryFolder folder, prints;
+  const std::string output = folder.write(std::string("a.") + GetParam(), "old");
+  const auto limit_file_size = [] {
+    const rlimit limit = {5000, 5000};
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0;
+  };
+  const Outcome outcome =
+      Program(MLSMESH_SAMPLE, {"sphere", output, "--count", "2000"}, prints.path(), limit_file_size).wait();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("disk full"), std::string::npos) << outcome.err;
+  EXPECT_EQ(readFile(output), "old");
+  EXPECT_EQ(folder.names().size(), 1U);
+}
 
 TEST(Sample, ColoursTheFigureUnlessToldNot) {
   const TemporaryFolder folder;

@@ -71,6 +71,10 @@ TEST(View, NamesWhatIsWrong) {
   expectOneLine(runView({}), 2, "file");
   expectOneLine(runView({folder.file("absent.ply"), "--screenshot", picture}), 1, "absent.ply");
   expectOneLine(runView({mesh, "--screenshot", folder.file("picture.jpg")}), 2, "--screenshot");
+  const std::string link = folder.file("link.png");
+  std::filesystem::create_symlink("mesh.ply", link);
+  expectOneLine(runView({mesh, "--screenshot", link}), 2, "would overwrite the input");
+  std::filesystem::remove(link);
   expectOneLine(runView({mesh, "--screenshot", picture, "--size", "0x5"}), 2, "--size");
   expectOneLine(runView({mesh, "--screenshot", picture, "--view", "inside"}), 2, "--view");
   expectOneLine(runView({mesh, "--screenshot", picture, "--up", "w"}), 2, "--up");
