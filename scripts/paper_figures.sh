@@ -33,7 +33,7 @@ for model in "${models[@]}"; do
     horse) draw horse cloud/horse_48485.pcd horse --up z --view front ;;
     dragon)
       draw dragon sampled/dragon_437645_standin.pcd dragon --view front
-      draw dragon sampled/dragon_437645_standin.pcd detail --view front --zoom 5
+      draw dragon sampled/dragon_437645_standin.pcd detail --view front --zoom 5 --no-labels
       for kind in 3 4 5; do mv "$work/detail_$kind.png" "$work/dragon_$kind.png"; done
       ;;
     *) echo "paper_figures: $model: not a model of the paper" >&2; exit 2 ;;
