@@ -6,6 +6,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace mlsmesh::apps {
@@ -27,6 +28,19 @@ AppError unknownOption(const std::string& option, const po::options_description&
       option, "no such option; " + (nearest.empty() ? "see --help" : "did you mean --" + nearest + "?"));
 }
 
+/// An option whose value can be left out, alone in its word, and the value that it has then: without this the
+/// parser would take the next argument, which is a file, for its value. Empty if the word is another thing.
+std::pair<std::string, std::string> withImpliedValue(const std::string& word,
+                                                     const po::options_description& options) {
+  if (word.rfind('-', 0) != 0) return {};
+  const po::option_description* option = options.find_nothrow(bareName(word), false);
+  if (option == nullptr || option->semantic()->min_tokens() > 0 || option->semantic()->max_tokens() != 1)
+    return {};
+  boost::any value;
+  option->semantic()->parse(value, {}, true);
+  return {bareName(word), boost::any_cast<std::string>(value)};
+}
+
 }  // namespace
 
 AppError usageError(const std::string& culprit, const std::string& what_and_remedy) {
@@ -39,10 +53,11 @@ po::variables_map parseCommandLine(int argc, const char* const* argv, const po::
   constexpr int kStyle = style::allow_long | style::long_allow_adjacent | style::long_allow_next |
                          style::allow_long_disguise | style::allow_short | style::allow_dash_for_short |
                          style::short_allow_next;
+  const auto flags = [&](const std::string& word) { return withImpliedValue(word, options); };
   po::variables_map values;
   try {
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positions).style(kStyle).run(),
-              values);
+    po::command_line_parser parser(argc, argv);
+    po::store(parser.options(options).positional(positions).style(kStyle).extra_parser(flags).run(), values);
   } catch (const po::unknown_option& error) {
     throw unknownOption(error.get_option_name(), options);
   } catch (const po::too_many_positional_options_error&) {

@@ -13,6 +13,7 @@ namespace mlsmesh::apps {
 AppError usageError(const std::string& culprit, const std::string& what_and_remedy);
 
 /// Parses --name value, --name=value and, as in PCL's tools, -name value; names are not abbreviated.
+/// Options with an implicit value, which must be texts, take another only as --name=value.
 /// `positions` says what the arguments without a name are called; they are found in the result under that
 /// name. Throws AppError (kExitUsage).
 boost::program_options::variables_map parseCommandLine(

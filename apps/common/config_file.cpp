@@ -4,7 +4,8 @@
 #include "common/app_error.h"
 #include "common/file_bytes.h"
 
-#include <set>
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace mlsmesh::apps {
@@ -38,7 +39,8 @@ std::string readText(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<ConfigEntry> readConfigFile(const std::filesystem::path& file) {
+std::vector<ConfigEntry> readConfigFile(const std::filesystem::path& file,
+                                        const std::set<std::string>& repeatable) {
   std::istringstream lines(readText(file));
   std::vector<ConfigEntry> entries;
   std::set<std::string> seen;
@@ -47,12 +49,20 @@ std::vector<ConfigEntry> readConfigFile(const std::filesystem::path& file) {
     const std::string content = trimmed(line.substr(0, line.find('#')));
     if (content.empty()) continue;
     entries.push_back(parseLine(content, file.string() + ":" + std::to_string(number)));
-    if (!seen.insert(entries.back().key).second) {
+    if (!seen.insert(entries.back().key).second && repeatable.count(entries.back().key) == 0) {
       throw AppError(kExitUsage,
                      entries.back().place + ": '" + entries.back().key + "' comes twice; keep one");
     }
   }
   return entries;
+}
+
+std::vector<ConfigEntry> takeEntries(const std::set<std::string>& keys, std::vector<ConfigEntry>& entries) {
+  const auto first = std::stable_partition(
+      entries.begin(), entries.end(), [&](const ConfigEntry& entry) { return keys.count(entry.key) == 0; });
+  std::vector<ConfigEntry> taken(std::make_move_iterator(first), std::make_move_iterator(entries.end()));
+  entries.erase(first, entries.end());
+  return taken;
 }
 
 }  // namespace mlsmesh::apps

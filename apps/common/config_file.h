@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,11 @@ struct ConfigEntry {
 };
 
 /// Reads "key = value" lines; '#' starts a comment, empty lines are skipped. Throws AppError (kExitUsage)
-/// that names file and line where a line has another form or a key comes twice.
-std::vector<ConfigEntry> readConfigFile(const std::filesystem::path& file);
+/// that names file and line where a line has another form or a key that is not `repeatable` comes twice.
+std::vector<ConfigEntry> readConfigFile(const std::filesystem::path& file,
+                                        const std::set<std::string>& repeatable = {});
+
+/// Takes the entries with those keys out of `entries`, in their order.
+std::vector<ConfigEntry> takeEntries(const std::set<std::string>& keys, std::vector<ConfigEntry>& entries);
 
 }  // namespace mlsmesh::apps

@@ -2,13 +2,8 @@
 #include "common/reconstruction_options.h"
 
 #include "common/app_error.h"
-#include "common/config_file.h"
 #include "common/name_match.h"
 #include "common/parameter_table.h"
-
-#include <filesystem>
-#include <set>
-#include <vector>
 
 namespace mlsmesh::apps {
 
@@ -29,15 +24,21 @@ AppError usage(const std::string& place, const std::string& what) {
   return {kExitUsage, place + what + (place.empty() ? "; see --help" : "")};
 }
 
-std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
-  const std::string nearest = nearestName(name, names);
-  return nearest.empty() ? "; --list-parameters prints all names" : "; did you mean '" + nearest + "'?";
-}
-
-std::vector<std::string> configNames() {
-  std::vector<std::string> names = {"preset", "levels", "threads", "hole-size", "all-levels", "no-reduction"};
+/// The program's own names first: of names that are equally near, the first is suggested.
+std::vector<std::string> configNames(const std::set<std::string>& others) {
+  std::vector<std::string> names(others.begin(), others.end());
+  names.insert(names.end(), {"preset", "levels", "threads", "hole-size", "all-levels", "no-reduction"});
   for (const Parameter& parameter : parameterTable()) names.push_back(parameter.name);
   return names;
+}
+
+std::string suggestion(const std::string& name, const std::set<std::string>& others) {
+  const std::string nearest = nearestName(name, configNames(others));
+  if (!nearest.empty()) return "; did you mean '" + nearest + "'?";
+  if (others.empty()) return "; --list-parameters prints all names";
+  std::string list;
+  for (const std::string& other : others) list += other + ", ";
+  return "; there are " + list + "and those that mlsmesh_reconstruct --list-parameters prints";
 }
 
 bool readFlag(const Setting& setting) {
@@ -88,12 +89,12 @@ std::string subjectOf(const std::string& name) {
   return parameter ? parameter->name : name;
 }
 
-void applyAll(const std::vector<Setting>& settings, ReconstructionOptions& options) {
+void applyAll(const std::vector<Setting>& settings, const std::set<std::string>& others,
+              ReconstructionOptions& options) {
   std::set<std::string> subjects;
   for (const Setting& setting : settings) {
     if (!apply(setting, options)) {
-      throw usage(setting.place,
-                  "unknown name '" + setting.name + "'" + suggestion(setting.name, configNames()));
+      throw usage(setting.place, "unknown name '" + setting.name + "'" + suggestion(setting.name, others));
     }
     if (!subjects.insert(subjectOf(setting.name)).second) {
       throw usage(setting.place, "'" + setting.name + "' sets what was set before; keep one");
@@ -114,9 +115,9 @@ void choosePreset(const std::vector<Setting>& settings, ReconstructionOptions& o
   }
 }
 
-std::vector<Setting> configSettings(const std::filesystem::path& file) {
+std::vector<Setting> configSettings(const std::vector<ConfigEntry>& entries) {
   std::vector<Setting> settings;
-  for (const ConfigEntry& entry : readConfigFile(file)) {
+  for (const ConfigEntry& entry : entries) {
     settings.push_back({entry.key, entry.value, entry.place + ": "});
   }
   return settings;
@@ -165,14 +166,21 @@ void addParameterOptions(po::options_description& options) {
 }
 
 ReconstructionOptions reconstructionOptions(const po::variables_map& values) {
+  std::vector<ConfigEntry> entries;
+  if (values.count("config")) entries = readConfigFile(values["config"].as<std::string>());
+  return reconstructionOptions(values, entries, {});
+}
+
+ReconstructionOptions reconstructionOptions(const po::variables_map& values,
+                                            const std::vector<ConfigEntry>& entries,
+                                            const std::set<std::string>& others) {
   ReconstructionOptions options;
-  const std::vector<Setting> from_file =
-      values.count("config") ? configSettings(values["config"].as<std::string>()) : std::vector<Setting>();
+  const std::vector<Setting> from_file = configSettings(entries);
   const std::vector<Setting> from_user = commandLineSettings(values);
   choosePreset(from_file, options);
   choosePreset(from_user, options);
-  applyAll(from_file, options);
-  applyAll(from_user, options);
+  applyAll(from_file, others, options);
+  applyAll(from_user, others, options);
   return options;
 }
 

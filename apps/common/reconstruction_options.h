@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/config_file.h"
 #include "mlsmesh/parameters.h"
 
 #include <boost/program_options.hpp>
 
+#include <set>
 #include <string>
+#include <vector>
 
 namespace mlsmesh::apps {
 
@@ -29,5 +32,10 @@ void addParameterOptions(boost::program_options::options_description& options);
 /// config file that they name say; other options are passed over. Throws AppError (kExitUsage) that names the
 /// option, or file and line, and what is allowed.
 ReconstructionOptions reconstructionOptions(const boost::program_options::variables_map& values);
+/// The same for programs whose config file says other things, too: `entries` are those of the file without
+/// these, `others` their names, for suggestions.
+ReconstructionOptions reconstructionOptions(const boost::program_options::variables_map& values,
+                                            const std::vector<ConfigEntry>& entries,
+                                            const std::set<std::string>& others);
 
 }  // namespace mlsmesh::apps

@@ -26,13 +26,14 @@ constexpr std::array<Named, 7> kViews{{{"front", {0, 0, 1}, {0, 1, 0}},
 
 }  // namespace
 
-Viewpoint namedViewpoint(const std::string& view, const std::string& up) {
+Viewpoint namedViewpoint(const std::string& view, const std::string& up, const std::string& view_culprit,
+                         const std::string& up_culprit) {
   const auto* found =
       std::find_if(kViews.begin(), kViews.end(), [&](const Named& named) { return view == named.name; });
   if (found == kViews.end()) {
-    throw usageError("--view", "'" + view + "' is none of front, back, left, right, top, bottom, iso");
+    throw usageError(view_culprit, "'" + view + "' is none of front, back, left, right, top, bottom, iso");
   }
-  if (up != "x" && up != "y" && up != "z") throw usageError("--up", "'" + up + "' is none of x, y, z");
+  if (up != "x" && up != "y" && up != "z") throw usageError(up_culprit, "'" + up + "' is none of x, y, z");
   const int shift = up[0] - 'y' + 3;
   Viewpoint viewpoint;
   for (int i = 0; i < 3; ++i) {

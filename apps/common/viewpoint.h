@@ -14,7 +14,8 @@ struct Viewpoint {
 };
 
 /// "front", "back", "left", "right", "top", "bottom" or "iso", turned so that the axis `up` ("x", "y" or "z")
-/// points up. Throws AppError (kExitUsage) that names --view or --up.
-Viewpoint namedViewpoint(const std::string& view, const std::string& up);
+/// points up. Throws AppError (kExitUsage) that names the culprit of the two.
+Viewpoint namedViewpoint(const std::string& view, const std::string& up,
+                         const std::string& view_culprit = "--view", const std::string& up_culprit = "--up");
 
 }  // namespace mlsmesh::apps

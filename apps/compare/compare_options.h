@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/reconstruction_options.h"
 #include "compare/methods.h"
 
 #include <cstdint>
@@ -12,14 +13,14 @@ namespace mlsmesh::apps {
 
 inline constexpr const char* kCompareProgram = "mlsmesh_compare";
 
-/// A cloud of the command line, and what belongs to it.
+/// A cloud, and what belongs to it.
 struct CompareInput {
   std::filesystem::path cloud;
   std::filesystem::path truth;  ///< empty if none
   std::string view = "iso";
 };
 
-/// What the command line of mlsmesh_compare asks for.
+/// What the command line of mlsmesh_compare and its config file ask for.
 struct CompareOptions {
   bool help = false;     ///< nothing but the help text
   bool version = false;  ///< nothing but the version
@@ -29,12 +30,14 @@ struct CompareOptions {
   double limit_seconds = 300;      ///< of each method on each cloud
   std::uint64_t memory_bytes = 0;  ///< of each method
   int threads = 1;                 ///< 0 = all
+  ReconstructionOptions ours;      ///< preset and parameters of our methods
   std::string up = "y";
   bool pictures = true;
   bool quiet = false;
 };
 
-/// Throws AppError (kExitUsage) that names the option or argument at fault and what is allowed.
+/// Throws AppError (kExitUsage) that names the option, the argument or the line of the config file at fault
+/// and what is allowed.
 CompareOptions readCompareOptions(int argc, const char* const* argv);
 
 std::string compareHelp();

@@ -8,6 +8,7 @@
 #include "common/progress_bar.h"
 #include "compare/child_process.h"
 #include "compare/columns.h"
+#include "compare/our_parameters.h"
 #include "compare/output_folder.h"
 #include "compare/page.h"
 #include "compare/report_files.h"
@@ -150,6 +151,8 @@ class Run {
   void addRow(CloudResult& cloud, const Method& method) {
     Row row;
     row.method = &method;
+    row.parameters =
+        (takesParameters(method) ? parametersText(options_.ours) + ", " : "") + method.parameters;
     const std::string stem = "meshes/" + cloud.name + "/" + method.name;
     const fs::path mesh = folder_.draft(stem + ".ply");
     reconstruct(cloud, mesh, row);
@@ -171,6 +174,7 @@ class Run {
                                  {"cloud", cloud.file.string()},
                                  {"method", row.method->name},
                                  {"threads", options_.threads},
+                                 {"parameters", parametersJson(options_.ours)},
                                  {"mesh", mesh.string()}},
                                 limits, row.method->name, outcome);
     row.wall_seconds = outcome.wall_seconds;

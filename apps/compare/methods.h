@@ -16,17 +16,20 @@ namespace mlsmesh::apps {
 struct Method {
   std::string name;        ///< as --methods and file names have it
   std::string label;       ///< for people
-  std::string maker;       ///< "mlsmesh", "pcl", or "fault"
+  std::string group;       ///< a word that stands for several: "mlsmesh", "paper", "pcl", or "fault"
   std::string parameters;  ///< how it is called, in words; s is the mean spacing
   std::function<pcl::PolygonMesh(const MethodInput&, StageClock&)> run;
 };
 
-/// All, in the order of the tables; those of the maker "fault" last.
+/// Whether the user's parameters of reconstruction are its own, before what `parameters` says.
+bool takesParameters(const Method& method);
+
+/// All, in the order of the tables; those of the group "fault" last.
 const std::vector<Method>& methodTable();
 /// Null if there is none of that name.
 const Method* findMethod(const std::string& name);
-/// By names, separated by commas, "all" (but faults) or a maker among them; in the order of the table, each
-/// once. Throws AppError (kExitUsage).
-std::vector<const Method*> methodsFromText(const std::string& list);
+/// By names, separated by commas, or groups, "all" being "mlsmesh" and "pcl"; in the order of the table, each
+/// once. Throws AppError (kExitUsage) that names the culprit.
+std::vector<const Method*> methodsFromText(const std::string& list, const std::string& culprit);
 
 }  // namespace mlsmesh::apps

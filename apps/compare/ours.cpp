@@ -9,12 +9,12 @@
 namespace mlsmesh::apps {
 namespace {
 
-pcl::PolygonMesh run(const MethodInput& input, bool reduce, int levels, StageClock& clock) {
+pcl::PolygonMesh run(const MethodInput& input, const MultiresolutionParameters& parameters,
+                     StageClock& clock) {
   MlsMultiresolution<pcl::PointXYZ> multiresolution;
   multiresolution.setInputCloud(input.cloud);
   multiresolution.setNumberOfThreads(input.threads);
-  multiresolution.parameters().reduce = reduce;
-  multiresolution.setLevels(levels);
+  multiresolution.parameters() = parameters;
   pcl::PolygonMesh mesh;
   const double begin = wallSeconds();
   multiresolution.compute(mesh);
@@ -29,14 +29,25 @@ pcl::PolygonMesh run(const MethodInput& input, bool reduce, int levels, StageClo
   return mesh;
 }
 
+MultiresolutionParameters toLevel(int level, MultiresolutionParameters parameters) {
+  parameters.refinement.levels = level;
+  return parameters;
+}
+
 }  // namespace
 
 pcl::PolygonMesh reconstructLevel(const MethodInput& input, int level, StageClock& clock) {
-  return run(input, true, level, clock);
+  return run(input, toLevel(level, input.parameters), clock);
+}
+
+pcl::PolygonMesh reconstructPaperLevel(const MethodInput& input, int level, StageClock& clock) {
+  return run(input, toLevel(level, paperPreset()), clock);
 }
 
 pcl::PolygonMesh reconstructUnreduced(const MethodInput& input, StageClock& clock) {
-  return run(input, false, 0, clock);
+  MultiresolutionParameters parameters = toLevel(0, input.parameters);
+  parameters.reduce = false;
+  return run(input, parameters, clock);
 }
 
 }  // namespace mlsmesh::apps

@@ -283,7 +283,7 @@ std::string stageList(const CloudResult& cloud) {
     for (const StageSeconds& stage : row.stages)
       stages += (stages.empty() ? "" : ", ") + stage.name + " " + numberText(stage.seconds, 3);
     items += element("dt", escaped(row.method->label)) +
-             element("dd", escaped(row.method->parameters) +
+             element("dd", escaped(row.parameters) +
                                (stages.empty() ? "" : "<br><small>seconds: " + escaped(stages) + "</small>"));
   }
   return element("details", element("summary", "How each method was called, and its stages") +

@@ -13,9 +13,11 @@ namespace mlsmesh::apps {
 // are in mean spacings, the one thing that a user of PCL is taken to know. They throw Refusal, and
 // std::exception where they fail.
 
-/// MlsMultiresolution, by default parameters, to that level.
+/// MlsMultiresolution, by the input's parameters, to that level.
 pcl::PolygonMesh reconstructLevel(const MethodInput& input, int level, StageClock& clock);
-/// The same with the points themselves for vertices, not refined.
+/// The same by the preset `paper`, whatever the input's parameters.
+pcl::PolygonMesh reconstructPaperLevel(const MethodInput& input, int level, StageClock& clock);
+/// By the input's parameters with the points themselves for vertices, not refined.
 pcl::PolygonMesh reconstructUnreduced(const MethodInput& input, StageClock& clock);
 
 /// pcl::GreedyProjectionTriangulation over normals as PCL estimates them, all towards the origin.

@@ -21,8 +21,8 @@ Json rowJson(const Row& row) {
   Json json;
   json["method"] = row.method->name;
   json["label"] = row.method->label;
-  json["maker"] = row.method->maker;
-  json["parameters"] = row.method->parameters;
+  json["maker"] = row.method->group == "paper" ? "mlsmesh" : row.method->group;
+  json["parameters"] = row.parameters;
   json["status"] = nameOf(row.status);
   json["reason"] = row.reason;
   json["seconds"] = {{"normals", row.normalSeconds()},
@@ -133,7 +133,7 @@ std::string meanings(bool with_truth) {
 std::string parameterMarkdown(const Comparison& comparison) {
   std::string text = "\n## How the methods are called\n\n*s* is the mean spacing of the points.\n\n";
   for (const Row& row : comparison.clouds.front().rows)
-    text += "- " + row.method->label + " (`" + row.method->name + "`): " + row.method->parameters + ".\n";
+    text += "- " + row.method->label + " (`" + row.method->name + "`): " + row.parameters + ".\n";
   return text;
 }
 

@@ -32,6 +32,7 @@ struct Pictures {
 /// One method on one cloud.
 struct Row {
   const Method* method = nullptr;
+  std::string parameters;  ///< how the method is called, in words
   RowStatus status = RowStatus::Failed;
   std::string reason;  ///< why there is no mesh, or why it was not measured; else empty
   std::vector<StageSeconds> stages;

@@ -7,6 +7,7 @@
 #include "compare/loaded_cloud.h"
 #include "compare/mesh_output.h"
 #include "compare/methods.h"
+#include "compare/our_parameters.h"
 #include "compare/pictures.h"
 #include "compare/results.h"
 #include "inspect/figures.h"
@@ -92,6 +93,7 @@ Json stagesJson(const std::vector<StageSeconds>& stages) {
 Json reconstruct(const Json& task) {
   LoadedCloud loaded = loadCloud(task.at("cloud").get<std::string>());
   loaded.input.threads = task.at("threads");
+  loaded.input.parameters = parametersOf(task.at("parameters"));
   if (loaded.input.threads > 0) omp_set_num_threads(loaded.input.threads);
   StageClock clock;
   pcl::PolygonMesh mesh;

@@ -16,7 +16,8 @@ inline constexpr const char* kWorkerOption = "--worker";
 /// Does what the task says and writes what came of it to the task's "result" file, a JSON document. Tasks are
 /// JSON objects with a "kind":
 /// - "survey": reads "cloud" and, unless empty, "truth"; the result has the cloud's sizes;
-/// - "reconstruct": runs "method" on "cloud" with "threads"; writes "mesh" if it has faces. The result has a
+/// - "reconstruct": runs "method" on "cloud" with "threads" and, ours, "parameters"; writes "mesh" if it has
+/// faces. The result has a
 ///   "status" (one of RowStatus's names), a "reason", "stages", "cpu_seconds", "peak_bytes";
 /// - "measure": the document of mlsmesh_inspect on "mesh", with "cloud" and "truth";
 /// - "draw": pictures.h.

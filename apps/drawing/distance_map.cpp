@@ -100,14 +100,19 @@ double valueAt(const Vec3& place, const core::NeighborSearch& search, const std:
 }  // namespace
 
 DistanceMap mapDistance(const Shape& mesh, const std::vector<Vec3>& cloud, const core::Context& context) {
+  constexpr const char* kStage = "distances";
+  Progress progress = context.progress;
+  progress.enterStage(kStage, 0.1);
   std::vector<Vec3> distinct(cloud);
   std::vector<core::Triangle> none;
   weldVertices(distinct, none);
   const auto search = core::makeKdTree(distinct);
   DistanceMap map;
   map.spacing = core::medianSpacing(distinct, *search, context);
+  progress.enterStage(kStage, 0.5);
   const std::vector<double> distance = distancesFromMesh(distinct, {mesh.points, mesh.triangles}, context);
   map.cloud_to_mesh = statisticsOf(distance);
+  progress.enterStage(kStage, 1.0);
   map.surface = cutFinely(mesh, map.spacing);
   map.values.resize(map.surface.points.size());
   core::parallelBlocks(context, map.values.size(), kBlock, [&](std::size_t first, std::size_t last) {

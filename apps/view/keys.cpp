@@ -31,7 +31,7 @@ const std::vector<Key>& keyTable() {
       {{"minus"}, Action::SmallerDots, "smaller dots"},
       {{"l"}, Action::Labels, "labels on or off"},
       {{"p"}, Action::Picture, "picture of the window, into a PNG file"},
-      {{"Escape"}, Action::Cancel, "ends a reconstruction that runs"},
+      {{"Escape"}, Action::Cancel, "ends a reconstruction, or a search for defects or distances"},
       {{"h"}, Action::Help, "this list, on or off"},
       {{"q"}, Action::End, "ends the program"}};
   return kKeys;

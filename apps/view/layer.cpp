@@ -96,20 +96,27 @@ Layer bordersLayer(Subject& subject, int level) {
   return layer;
 }
 
-Layer defectsLayer(Subject& subject, int level) {
+Layer defectsLayer(const Subject& subject, int level) {
   Layer layer;
   addGround(subject.level(level), layer);
-  addMarks(defectMarks(subject.level(level), subject.defects(level)), layer);
+  if (const MeshDefects* defects = subject.defects(level))
+    addMarks(defectMarks(subject.level(level), *defects), layer);
+  layer.notice = subject.whyNot(Finding::Defects, level);
   layer.label = titleOf(subject, level) + "   " + trianglesText(subject, level);
   return layer;
 }
 
-Layer distanceLayer(Subject& subject, int level, vtkLookupTable* colors) {
-  const DistanceMap& map = subject.distances(level);
+Layer distanceLayer(const Subject& subject, int level, vtkLookupTable* colors) {
   Layer layer;
-  layer.actors.push_back(valueActor(toPolyData(map, 1.0 / map.spacing), colors));
-  layer.label = titleOf(subject, level) + "   " + trianglesText(subject, level) + "\n" + inSpacings(map);
-  layer.has_scale = true;
+  layer.label = titleOf(subject, level) + "   " + trianglesText(subject, level);
+  layer.notice = subject.whyNot(Finding::Distances, level);
+  if (const DistanceMap* map = subject.distances(level)) {
+    layer.actors.push_back(valueActor(toPolyData(*map, 1.0 / map->spacing), colors));
+    layer.label += "\n" + inSpacings(*map);
+    layer.has_scale = true;
+  } else {
+    addGround(subject.level(level), layer);
+  }
   return layer;
 }
 

@@ -25,7 +25,8 @@ struct Layer {
   bool has_scale = false;
 };
 
-/// `level` is one that the subject has, if it has any; `colors` is the scale of distances, in spacings, that
+/// `level` is one that the subject has, if it has any; defects and distances that were not found yet are left
+/// out, and those that were given up say why; `colors` is the scale of distances, in spacings, that
 /// all panes share. Throws core::Failure.
 Layer makeLayer(Subject& subject, Mode mode, int level, vtkLookupTable* colors);
 

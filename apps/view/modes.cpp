@@ -13,13 +13,13 @@ const std::vector<std::string>& modeNames() {
   return kNames;
 }
 
-Mode modeNamed(const std::string& name) {
+Mode modeNamed(const std::string& name, const std::string& culprit) {
   const std::vector<std::string>& names = modeNames();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<Mode>(found - names.begin() + 1);
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  throw usageError("--show", "'" + name + "' is none of " + list);
+  throw usageError(culprit, "'" + name + "' is none of " + list);
 }
 
 bool needsMesh(Mode mode) {

@@ -21,8 +21,8 @@ enum class Mode {
 /// cloud, clusters, ..., distance: for --show. Auto has no name.
 const std::vector<std::string>& modeNames();
 
-/// Throws AppError (kExitUsage) that names --show.
-Mode modeNamed(const std::string& name);
+/// Throws AppError (kExitUsage) that names the culprit.
+Mode modeNamed(const std::string& name, const std::string& culprit);
 
 /// Whether a cloud must be reconstructed for it.
 bool needsMesh(Mode mode);

@@ -55,7 +55,7 @@ void Pane::show(Mode mode, int level, const PaneLook& look) {
       renderer_->AddActor(actor);
   }
   applyLook(shown, look);
-  addNotes(shown, look);
+  addNotes(shown, notice_.empty() || mode == Mode::Cloud ? shown.notice : notice_, look);
 }
 
 void Pane::applyLook(const Layer& layer, const PaneLook& look) {
@@ -66,10 +66,9 @@ void Pane::applyLook(const Layer& layer, const PaneLook& look) {
   layer.dots->GetProperty()->SetPointSize(static_cast<float>(size * look.dots));
 }
 
-void Pane::addNotes(const Layer& layer, const PaneLook& look) {
+void Pane::addNotes(const Layer& layer, const std::string& notice_text, const PaneLook& look) {
   const int font = fontSize(extent_);
-  const std::string& text = notice_.empty() ? layer.notice : notice_;
-  if (!text.empty()) renderer_->AddActor2D(notice(text, font));
+  if (!notice_text.empty()) renderer_->AddActor2D(notice(notice_text, font));
   if (layer.has_scale) renderer_->AddActor2D(scaleBar(colors_, "spacings", extent_));
   if (!look.labels) return;
   renderer_->AddActor2D(label(layer.label, font));

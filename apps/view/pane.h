@@ -41,13 +41,14 @@ class Pane {
   void setPlace(const std::array<double, 4>& place);
   /// Forgets what was drawn of the subject, because there is more of it now.
   void forget();
-  /// A text that is shown in place of the layer's own notice until forget().
+  /// A text that is shown in place of the layer's own notice until forget(), but not over the cloud where
+  /// that is what was asked for.
   void setNotice(const std::string& notice) { notice_ = notice; }
   vtkRenderer& renderer() const { return *renderer_; }
 
  private:
   const Layer& layer(Mode mode, int level);
-  void addNotes(const Layer& layer, const PaneLook& look);
+  void addNotes(const Layer& layer, const std::string& notice_text, const PaneLook& look);
   void applyLook(const Layer& layer, const PaneLook& look);
 
   Subject* subject_;

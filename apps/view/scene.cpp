@@ -129,6 +129,21 @@ void Scene::refresh() {
   for (Pane& pane : panes_) pane.show(mode_, level_, look_);
 }
 
+int Scene::levelOf(const Subject& subject) const {
+  return std::clamp(level_, 0, std::max(0, subject.levelCount() - 1));
+}
+
+std::vector<Job::Task> Scene::openFindings() const {
+  std::vector<Job::Task> tasks;
+  for (Subject& subject : subjects_) {
+    const Mode shown = shownMode(subject, mode_);
+    if (shown != Mode::Defects && shown != Mode::Distance) continue;
+    const Finding finding = shown == Mode::Defects ? Finding::Defects : Finding::Distances;
+    if (subject.isOpen(finding, levelOf(subject))) tasks.push_back({&subject, finding, levelOf(subject)});
+  }
+  return tasks;
+}
+
 void Scene::renew(const Subject& subject, const std::string& notice) {
   for (Pane& pane : panes_) {
     if (&pane.subject() != &subject) continue;
@@ -141,12 +156,10 @@ void Scene::renew(const Subject& subject, const std::string& notice) {
 void Scene::setScale() {
   if (mode_ != Mode::Distance) return;
   double highest = options_.scale;
-  for (Subject& subject : subjects_) {
+  for (const Subject& subject : subjects_) {
     if (options_.scale > 0 || shownMode(subject, mode_) != Mode::Distance) continue;
-    core::guarded([&] {
-      const DistanceMap& map = subject.distances(std::clamp(level_, 0, subject.levelCount() - 1));
-      highest = std::max(highest, roundedUp(map.cloud_to_mesh.p99 / map.spacing));
-    });
+    if (const DistanceMap* map = subject.distances(levelOf(subject)))
+      highest = std::max(highest, roundedUp(map->cloud_to_mesh.p99 / map->spacing));
   }
   if (highest > 0) colors_->SetTableRange(0.0, highest);
 }
@@ -207,10 +220,12 @@ std::vector<core::Vec3> Scene::placesToVisit() const {
   for (std::size_t i = 0; i < panes_.size(); ++i) {
     Subject& subject = panes_[i].subject();
     if (subject.levelCount() == 0 || (shown_ >= 0 && static_cast<int>(i) != shown_)) continue;
-    const int level = std::clamp(level_, 0, subject.levelCount() - 1);
-    const std::vector<core::Vec3> found = mode_ == Mode::Borders
-                                              ? placesOf(subject.level(level), subject.borders(level))
-                                              : placesOf(subject.level(level), subject.defects(level));
+    const int level = levelOf(subject);
+    std::vector<core::Vec3> found;
+    if (mode_ == Mode::Borders)
+      found = placesOf(subject.level(level), subject.borders(level));
+    else if (const MeshDefects* defects = subject.defects(level))
+      found = placesOf(subject.level(level), *defects);
     places.insert(places.end(), found.begin(), found.end());
   }
   return places;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "view/job.h"
 #include "view/overlay.h"
 #include "view/pane.h"
 #include "view/subject.h"
@@ -42,6 +43,8 @@ class Scene {
   PaneLook& look() { return look_; }
   /// All panes anew, after the subjects or the look changed.
   void refresh();
+  /// What has to be found out for what is shown.
+  std::vector<Job::Task> openFindings() const;
   /// Forgets what was drawn of that subject, and shows `notice` in its pane unless it is empty.
   void renew(const Subject& subject, const std::string& notice);
 
@@ -58,6 +61,8 @@ class Scene {
 
  private:
   int levelCount() const;
+  /// The one of the subject's levels that is shown, if it has any.
+  int levelOf(const Subject& subject) const;
   void setScale();
   /// Moves the scene aside where a scale is shown; returns the share of a pane that is left for it.
   double makeRoomForScale();

@@ -12,7 +12,7 @@ struct ScriptStep {
   std::string argument;  ///< of the key for pictures, the file; empty if none
 };
 
-/// Waits until no reconstruction runs.
+/// Waits until nothing runs any more.
 inline constexpr const char* kWaitStep = "wait";
 
 /// Reads "KEY,KEY,p=FILE,wait,KEY". Throws AppError (kExitUsage) that names --script and the step.

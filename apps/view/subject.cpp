@@ -63,14 +63,6 @@ void Subject::useCloud(std::shared_ptr<const Shape> cloud) {
   for (Level& level : levels_) level.distances.reset();
 }
 
-const MeshDefects& Subject::defects(int level) {
-  Level& of = at(level);
-  if (!of.defects)
-    of.defects =
-        std::make_unique<MeshDefects>(findDefects(of.mesh.points, of.mesh.triangles, core::Context()));
-  return *of.defects;
-}
-
 const std::vector<BorderEdges>& Subject::borders(int level) {
   Level& of = at(level);
   if (!of.borders)
@@ -78,11 +70,36 @@ const std::vector<BorderEdges>& Subject::borders(int level) {
   return *of.borders;
 }
 
-const DistanceMap& Subject::distances(int level) {
-  Level& of = at(level);
-  if (!of.distances)
-    of.distances = std::make_unique<DistanceMap>(mapDistance(of.mesh, cloud_->points, core::Context()));
-  return *of.distances;
+void Subject::setDefects(int level, MeshDefects defects) {
+  at(level).defects = std::make_unique<MeshDefects>(std::move(defects));
+}
+
+void Subject::setDistances(int level, DistanceMap distances) {
+  at(level).distances = std::make_unique<DistanceMap>(std::move(distances));
+}
+
+bool Subject::isOpen(Finding finding, int level) const {
+  const bool is_found = finding == Finding::Defects ? defects(level) != nullptr : distances(level) != nullptr;
+  return !is_found && whyNot(finding, level).empty();
+}
+
+const std::string& Subject::whyNot(Finding finding, int level) const {
+  return at(level).why_not[static_cast<std::size_t>(finding)];
+}
+
+void Subject::giveUp(Finding finding, int level, const std::string& why) {
+  at(level).why_not[static_cast<std::size_t>(finding)] = why;
+}
+
+bool Subject::openAgain() {
+  bool was_given_up = false;
+  for (Level& level : levels_) {
+    for (std::string& why : level.why_not) {
+      was_given_up = was_given_up || !why.empty();
+      why.clear();
+    }
+  }
+  return was_given_up;
 }
 
 }  // namespace mlsmesh::apps

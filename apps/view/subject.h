@@ -7,12 +7,16 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace mlsmesh::apps {
+
+/// What takes its time to find out about a level.
+enum class Finding { Defects, Distances };
 
 /// A file, and what was made of it: a mesh, or a cloud and its reconstruction.
 class Subject {
@@ -46,11 +50,21 @@ class Subject {
   const Shape& representatives() const { return representatives_; }
   double spacing() const { return spacing_; }
 
-  // Of a level: found when first asked for, then kept. Throw core::Failure.
-  const MeshDefects& defects(int level);
+  /// Of a level: found when first asked for, then kept. Throws core::Failure.
   const std::vector<BorderEdges>& borders(int level);
-  /// Needs a cloud().
-  const DistanceMap& distances(int level);
+
+  // Of a level: null until they are set. Distances are those from the cloud().
+  const MeshDefects* defects(int level) const { return at(level).defects.get(); }
+  const DistanceMap* distances(int level) const { return at(level).distances.get(); }
+  void setDefects(int level, MeshDefects defects);
+  void setDistances(int level, DistanceMap distances);
+  /// Neither found nor given up.
+  bool isOpen(Finding finding, int level) const;
+  /// Why it was given up, for people; empty if it was not.
+  const std::string& whyNot(Finding finding, int level) const;
+  void giveUp(Finding finding, int level, const std::string& why);
+  /// Makes all open that was given up; false if there is nothing of that kind.
+  bool openAgain();
 
  private:
   struct Level {
@@ -58,8 +72,10 @@ class Subject {
     std::unique_ptr<MeshDefects> defects;
     std::unique_ptr<std::vector<BorderEdges>> borders;
     std::unique_ptr<DistanceMap> distances;
+    std::array<std::string, 2> why_not;  ///< of each finding
   };
   Level& at(int level) { return levels_.at(static_cast<std::size_t>(level)); }
+  const Level& at(int level) const { return levels_.at(static_cast<std::size_t>(level)); }
 
   std::filesystem::path file_;
   bool is_cloud_ = false;

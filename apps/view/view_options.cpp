@@ -2,12 +2,14 @@
 #include "view/view_options.h"
 
 #include "common/command_line.h"
+#include "common/settings.h"
 #include "drawing/picture.h"
 #include "view/keys.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <sstream>
 
 namespace mlsmesh::apps {
@@ -19,6 +21,13 @@ constexpr int kMaxSide = 16384;
 constexpr int kPaneSide = 800;
 constexpr int kMaxPanesPerRow = 4;
 constexpr unsigned kHelpWidth = 100;
+
+/// What a config file may say beside how clouds are reconstructed.
+const std::set<std::string>& namesForFiles() {
+  static const std::set<std::string> kNames{"show", "level", "scale", "size",      "view",    "up",
+                                            "zoom", "flat",  "edges", "wireframe", "borders", "no-labels"};
+  return kNames;
+}
 
 po::options_description drawingOptions() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
@@ -35,11 +44,11 @@ po::options_description drawingOptions() {
   add("view", text("NAME"), "front, back, left, right, top, bottom or iso (default iso)");
   add("up", text("AXIS"), "x, y or z points up (default y)");
   add("zoom", text("FACTOR"), "larger than 1: nearer (default 1)");
-  add("flat", po::bool_switch(), "one shade a triangle, instead of smooth shading");
-  add("edges", po::bool_switch(), "draw the edges of the triangles on them");
-  add("wireframe", po::bool_switch(), "draw the edges alone");
-  add("borders", po::bool_switch(), "draw borders also where meshes are shown");
-  add("no-labels", po::bool_switch(), "leave out file names and counts");
+  add("flat", flagValue(), "one shade a triangle, instead of smooth shading");
+  add("edges", flagValue(), "draw the edges of the triangles on them");
+  add("wireframe", flagValue(), "draw the edges alone");
+  add("borders", flagValue(), "draw borders also where meshes are shown");
+  add("no-labels", flagValue(), "leave out file names and counts");
   add("help,h", po::bool_switch(), "this text");
   add("version", po::bool_switch(), "the version");
   return options;
@@ -62,11 +71,7 @@ po::variables_map parse(int argc, const char* const* argv) {
   return parseCommandLine(argc, argv, all, positions);
 }
 
-std::string textOf(const po::variables_map& values, const std::string& name, const std::string& otherwise) {
-  return values.count(name) > 0 ? values[name].as<std::string>() : otherwise;
-}
-
-std::array<int, 2> sizeFromText(const std::string& text) {
+std::array<int, 2> sizeFromText(const std::string& culprit, const std::string& text) {
   std::array<int, 2> size{};
   char extra = 0;
   const bool is_size = std::sscanf(text.c_str(), "%dx%d%c", &size[0], &size[1], &extra) == 2;
@@ -74,7 +79,7 @@ std::array<int, 2> sizeFromText(const std::string& text) {
       *std::max_element(size.begin(), size.end()) <= kMaxSide) {
     return size;
   }
-  throw usageError("--size",
+  throw usageError(culprit,
                    "'" + text + "' is not WIDTHxHEIGHT; give for example 1600x800 (1 .. 16384 each)");
 }
 
@@ -83,44 +88,46 @@ std::array<int, 2> defaultSize(std::size_t files) {
   return {std::min(columns * kPaneSide, kMaxSide), std::min(rows * kPaneSide, kMaxSide)};
 }
 
-double rangedNumber(const std::string& name, const std::string& text, double low, double high,
-                    const char* range) {
-  const double value = numberFromText(name, text);
+double rangedNumber(const Settings& settings, const std::string& name, double low, double high,
+                    const char* range, double otherwise) {
+  if (!settings.has(name)) return otherwise;
+  const std::string text = settings.text(name, ""), culprit = settings.culprit(name);
+  const double value = numberFromText(culprit, text);
   if (value >= low && value <= high) return value;
-  throw usageError(name, "'" + text + "' is out of range; give " + range);
+  throw usageError(culprit, "'" + text + "' is out of range; give " + range);
 }
 
 /// Of a reconstruction with so many refinement steps.
-int levelFromText(const std::string& text, int steps) {
-  const double level = numberFromText("--level", text);
+int levelFromText(const std::string& culprit, const std::string& text, int steps) {
+  const double level = numberFromText(culprit, text);
   if (level >= 0 && level <= steps && level == std::floor(level)) return static_cast<int>(level);
-  throw usageError("--level", "'" + text + "' is no level; there are 0 .. " + std::to_string(steps) +
-                                  ", and more with --levels");
+  throw usageError(culprit, "'" + text + "' is no level; there are 0 .. " + std::to_string(steps) +
+                                ", and more with --levels");
 }
 
-void setPicture(const po::variables_map& values, ViewOptions& options) {
-  options.screenshot = textOf(values, "screenshot", "");
-  if (values.count("screenshot") > 0) checkPictureFormat("--screenshot", options.screenshot);
-  if (values.count("script") > 0) options.script = parseScript(textOf(values, "script", ""));
-  options.size =
-      values.count("size") > 0 ? sizeFromText(textOf(values, "size", "")) : defaultSize(options.files.size());
-  options.view = textOf(values, "view", "iso");
-  options.up = textOf(values, "up", "y");
-  options.viewpoint = namedViewpoint(options.view, options.up);
-  options.zoom = rangedNumber("--zoom", textOf(values, "zoom", "1"), 0.01, 100.0, "0.01 .. 100");
+void setPicture(const Settings& settings, ViewOptions& options) {
+  options.screenshot = settings.text("screenshot", "");
+  if (settings.has("screenshot")) checkPictureFormat("--screenshot", options.screenshot);
+  if (settings.has("script")) options.script = parseScript(settings.text("script", ""));
+  options.size = settings.has("size") ? sizeFromText(settings.culprit("size"), settings.text("size", ""))
+                                      : defaultSize(options.files.size());
+  options.view = settings.text("view", "iso");
+  options.up = settings.text("up", "y");
+  options.viewpoint =
+      namedViewpoint(options.view, options.up, settings.culprit("view"), settings.culprit("up"));
+  options.zoom = rangedNumber(settings, "zoom", 0.01, 100.0, "0.01 .. 100", 1.0);
 }
 
-void setLook(const po::variables_map& values, ViewOptions& options) {
-  options.look = {values["flat"].as<bool>(), values["edges"].as<bool>(), values["wireframe"].as<bool>()};
-  options.borders = values["borders"].as<bool>();
-  options.labels = !values["no-labels"].as<bool>();
-  if (values.count("show") > 0) options.mode = modeNamed(textOf(values, "show", ""));
-  if (values.count("level") > 0) {
-    options.level =
-        levelFromText(textOf(values, "level", ""), options.reconstruction.parameters.refinement.levels);
+void setLook(const Settings& settings, ViewOptions& options) {
+  options.look = {settings.flag("flat"), settings.flag("edges"), settings.flag("wireframe")};
+  options.borders = settings.flag("borders");
+  options.labels = !settings.flag("no-labels");
+  if (settings.has("show")) options.mode = modeNamed(settings.text("show", ""), settings.culprit("show"));
+  if (settings.has("level")) {
+    options.level = levelFromText(settings.culprit("level"), settings.text("level", ""),
+                                  options.reconstruction.parameters.refinement.levels);
   }
-  if (values.count("scale") > 0)
-    options.scale = rangedNumber("--scale", textOf(values, "scale", ""), 1e-9, 1e9, "1e-9 .. 1e9");
+  options.scale = rangedNumber(settings, "scale", 1e-9, 1e9, "1e-9 .. 1e9", options.scale);
 }
 
 }  // namespace
@@ -140,14 +147,19 @@ ViewOptions readViewOptions(int argc, const char* const* argv) {
   if (values.count("files") == 0) throw usageError("arguments", "no file to look at; see --help");
   for (const std::string& file : values["files"].as<std::vector<std::string>>())
     options.files.emplace_back(file);
-  options.cloud = textOf(values, "cloud", "");
-  options.reconstruction = reconstructionOptions(values);
-  setPicture(values, options);
-  setLook(values, options);
+  std::vector<ConfigEntry> entries;
+  if (values.count("config") > 0) entries = readConfigFile(values["config"].as<std::string>());
+  const Settings settings(values, takeEntries(namesForFiles(), entries));
+  options.cloud = settings.text("cloud", "");
+  options.reconstruction = reconstructionOptions(values, entries, namesForFiles());
+  setPicture(settings, options);
+  setLook(settings, options);
   return options;
 }
 
 std::string viewHelp() {
+  std::string in_files;
+  for (const std::string& name : namesForFiles()) in_files += (in_files.empty() ? " " : ", ") + name;
   std::ostringstream text;
   text << "Usage: " << kViewProgram
        << " FILE... [options]\n\n"
@@ -155,7 +167,9 @@ std::string viewHelp() {
           "shown needs a mesh, and in a window that shows nothing but clouds.\n\n"
        << drawingOptions() << "\n"
        << makingOptions()
-       << "\nAll other parameters are options, too: see mlsmesh_reconstruct --list-parameters.\n\nKeys:\n"
+       << "\nAll other parameters are options, too: see mlsmesh_reconstruct --list-parameters. The file of "
+          "--config may also\nset"
+       << in_files << ".\n\nKeys:\n"
        << keyHelp();
   return text.str();
 }

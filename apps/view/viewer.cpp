@@ -8,9 +8,13 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace mlsmesh::apps {
 namespace {
+
+constexpr std::chrono::milliseconds kProgressPause(200);
 
 /// A name in the current folder that nothing has yet.
 std::filesystem::path freePictureName() {
@@ -31,7 +35,7 @@ bool wantsMeshes(const std::vector<Subject>& subjects, const ViewOptions& option
 
 Viewer::Viewer(std::vector<Subject>& subjects, const ViewOptions& options, vtkRenderWindow& window)
     : subjects_(subjects), options_(options), scene_(subjects, options, window), script_(options.script) {
-  if (wantsMeshes(subjects, options)) startJob();
+  if (wantsMeshes(subjects, options)) reconstruct();
 }
 
 void Viewer::press(const std::string& key, const std::string& argument) {
@@ -122,7 +126,14 @@ void Viewer::actOnLook(Action action) {
 }
 
 void Viewer::show(Mode mode) {
-  if (needsMesh(mode) && !job_) startJob();
+  for (Subject& subject : subjects_)
+    if (subject.openAgain()) scene_.renew(subject, "");
+  if (needsMesh(mode)) {
+    if (!job_)
+      reconstruct();
+    else
+      wants_meshes_ = !job_->reconstructs();
+  }
   scene_.setMode(mode);
 }
 
@@ -132,24 +143,33 @@ void Viewer::stepFile(int steps) {
   scene_.showOnly(is_first_step_back ? -1 : scene_.shown() + steps);
 }
 
-void Viewer::startJob() {
-  std::vector<Subject*> clouds;
+void Viewer::reconstruct() {
+  std::vector<Job::Task> tasks;
   for (Subject& subject : subjects_)
-    if (subject.isCloud() && !subject.isReconstructed()) clouds.push_back(&subject);
-  if (clouds.empty()) return;
-  for (const Subject* subject : clouds) scene_.renew(*subject, "");
-  job_ = std::make_unique<ReconstructionJob>(clouds, options_.reconstruction);
+    if (subject.isCloud() && !subject.isReconstructed()) tasks.push_back({&subject, std::nullopt, 0});
+  if (tasks.empty()) return;
+  for (const Job::Task& task : tasks) scene_.renew(*task.subject, "");
+  job_ = std::make_unique<Job>(tasks, options_.reconstruction);
   scene_.overlay().showProgress("reconstructing   (Esc ends it)", 0.0);
   scene_.refresh();
 }
 
+void Viewer::findWhatIsOpen() {
+  const std::vector<Job::Task> tasks = scene_.openFindings();
+  if (tasks.empty()) return;
+  job_ = std::make_unique<Job>(tasks, options_.reconstruction);
+  next_progress_ = std::chrono::steady_clock::now() + kProgressPause;
+}
+
 void Viewer::tick() {
   if (job_) followJob();
+  if (!job_ && std::exchange(wants_meshes_, false)) reconstruct();
+  if (!job_) findWhatIsOpen();
   runScript();
 }
 
 void Viewer::followJob() {
-  while (std::optional<ReconstructionJob::Result> result = job_->take()) install(*result);
+  while (std::optional<Job::Result> result = job_->take()) install(*result);
   if (job_->isOver()) {
     job_.reset();
     scene_.overlay().hideProgress();
@@ -162,40 +182,70 @@ void Viewer::followJob() {
 
 /// Some times a second: drawing a large scene may take longer than a tick.
 void Viewer::showProgress() {
-  constexpr std::chrono::milliseconds kPause(200);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_progress_) return;
-  next_progress_ = now + kPause;
+  next_progress_ = now + kProgressPause;
   scene_.overlay().showProgress(job_->stage() + "   (Esc ends it)", job_->fraction());
   is_changed_ = true;
 }
 
-void Viewer::install(ReconstructionJob::Result& result) {
-  const std::string file = result.subject->file().string();
-  for (const std::string& warning : result.warnings) printWarning(kViewProgram, file + ": " + warning);
-  if (result.status.ok()) {
-    result.status = core::guarded([&] { result.subject->setReconstruction(result.reconstruction); });
-  }
-  std::string notice;
-  if (result.status.code == StatusCode::Cancelled) {
-    notice = "not reconstructed: cancelled.\nPress m to begin again";
-  } else if (!result.status.ok()) {
-    notice = "not reconstructed:\n" + result.status.message;
-    const std::string failure = file + ": " + result.status.message;
-    if (failure_.empty()) failure_ = failure;
-    if (options_.screenshot.empty()) printWarning(kViewProgram, failure);
-  }
-  scene_.renew(*result.subject, notice);
+void Viewer::install(Job::Result& result) {
+  const Subject& subject = *result.task.subject;
+  for (const std::string& warning : result.warnings)
+    printWarning(kViewProgram, subject.file().string() + ": " + warning);
+  const std::string notice = result.task.finding ? installFinding(result) : installReconstruction(result);
+  if (!result.status.ok() && result.status.code != StatusCode::Cancelled) noteFailure(result);
+  scene_.renew(subject, notice);
   scene_.refresh();
   is_changed_ = true;
 }
 
-/// One step at a time, so that each is seen.
+std::string Viewer::installReconstruction(Job::Result& result) {
+  if (result.status.ok()) {
+    result.status = core::guarded([&] { result.task.subject->setReconstruction(result.reconstruction); });
+  }
+  if (result.status.ok()) return "";
+  if (result.status.code == StatusCode::Cancelled)
+    return "not reconstructed: cancelled.\nPress m to begin again";
+  return "not reconstructed:\n" + result.status.message;
+}
+
+/// The subject keeps the reason, because it holds for one level in one mode.
+std::string Viewer::installFinding(Job::Result& result) {
+  Subject& subject = *result.task.subject;
+  const Finding finding = *result.task.finding;
+  const bool is_defects = finding == Finding::Defects;
+  if (result.status.code == StatusCode::Cancelled) {
+    subject.giveUp(finding, result.task.level,
+                   is_defects ? "defects not found: cancelled.\nPress d to begin again"
+                              : "distances not found: cancelled.\nPress t to begin again");
+  } else if (!result.status.ok()) {
+    subject.giveUp(finding, result.task.level,
+                   (is_defects ? "defects not found:\n" : "distances not found:\n") + result.status.message);
+  } else if (is_defects) {
+    subject.setDefects(result.task.level, std::move(result.defects));
+  } else {
+    subject.setDistances(result.task.level, std::move(result.distances));
+  }
+  return "";
+}
+
+void Viewer::noteFailure(const Job::Result& result) {
+  const std::string failure = result.task.subject->file().string() + ": " + result.status.message;
+  if (failure_.empty()) failure_ = failure;
+  if (options_.screenshot.empty()) printWarning(kViewProgram, failure);
+}
+
+/// One step at a time, so that each is seen. Steps wait for defects and distances by themselves, but for the
+/// key that ends the search.
 void Viewer::runScript() {
   if (isScriptDone()) return;
   const ScriptStep& step = script_[next_step_];
-  if (step.key == kWaitStep) {
-    if (!job_) ++next_step_;
+  const bool is_wait = step.key == kWaitStep;
+  const bool is_held = job_ && (is_wait || !job_->reconstructs());
+  if (is_held && (is_wait || findKey(step.key)->action != Action::Cancel)) return;
+  if (is_wait) {
+    ++next_step_;
     return;
   }
   ++next_step_;

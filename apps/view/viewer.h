@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "view/job.h"
 #include "view/keys.h"
-#include "view/reconstruction_job.h"
 #include "view/scene.h"
 #include "view/script.h"
 
@@ -13,7 +13,8 @@
 
 namespace mlsmesh::apps {
 
-/// A scene that answers keys and time: reconstructs clouds where that is needed, and installs the results.
+/// A scene that answers keys and time: reconstructs clouds, and finds defects and distances, where that is
+/// needed, and installs the results.
 class Viewer {
  public:
   /// Begins to reconstruct what the options' mode needs. Subjects and window outlive the viewer.
@@ -26,13 +27,14 @@ class Viewer {
   /// True once after the window has to be drawn again.
   bool takeChange();
 
-  bool isReconstructing() const { return job_ != nullptr; }
-  /// Of what is being reconstructed.
+  /// Something runs, or is about to, that will change what is shown.
+  bool isBusy() const { return job_ != nullptr || wants_meshes_ || !scene_.openFindings().empty(); }
+  /// Of what runs.
   double fraction() const { return job_ ? job_->fraction() : 1.0; }
   std::string stage() const { return job_ ? job_->stage() : ""; }
   bool isScriptDone() const { return next_step_ == script_.size(); }
   bool isEnded() const { return is_ended_; }
-  /// The first reconstruction that failed, "FILE: why; remedy"; empty if none has.
+  /// The first reconstruction or finding that failed, "FILE: why; remedy"; empty if none has.
   const std::string& failure() const { return failure_; }
 
  private:
@@ -41,16 +43,22 @@ class Viewer {
   void actOnLook(Action action);
   void show(Mode mode);
   void stepFile(int steps);
-  void startJob();
+  void reconstruct();
+  void findWhatIsOpen();
   void followJob();
   void showProgress();
-  void install(ReconstructionJob::Result& result);
+  void install(Job::Result& result);
+  /// Both return why there is no result, for its pane; empty if there is one.
+  std::string installReconstruction(Job::Result& result);
+  std::string installFinding(Job::Result& result);
+  void noteFailure(const Job::Result& result);
   void runScript();
 
   std::vector<Subject>& subjects_;
   ViewOptions options_;
   Scene scene_;
-  std::unique_ptr<ReconstructionJob> job_;
+  std::unique_ptr<Job> job_;
+  bool wants_meshes_ = false;  ///< when the job is over
   std::vector<ScriptStep> script_;
   std::size_t next_step_ = 0;
   std::string failure_;

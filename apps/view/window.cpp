@@ -88,13 +88,13 @@ class Session {
   std::exception_ptr error_;
 };
 
-/// Until all is reconstructed, and the script is done or has ended the program.
+/// Until nothing runs any more, and the script is done or has ended the program.
 void waitFor(Viewer& viewer) {
   ProgressBar bar(true);
-  while (!viewer.isEnded() && (viewer.isReconstructing() || !viewer.isScriptDone())) {
+  while (!viewer.isEnded() && (viewer.isBusy() || !viewer.isScriptDone())) {
     InterruptGuard::check();
     viewer.tick();
-    if (viewer.isReconstructing()) {
+    if (viewer.isBusy()) {
       bar.draw(viewer.stage(), viewer.fraction());
       std::this_thread::sleep_for(std::chrono::milliseconds(kTickMs / 4));
     }

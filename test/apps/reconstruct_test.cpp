@@ -214,7 +214,7 @@ TEST_F(Reconstruct, ClosesHolesAndSaysSo) {
   }
   const std::string input = folder_.write("bowl.xyz", bowl);
   const auto run_with = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {input, folder_.file("out.ply"), "--json", folder_.file("r.json")});
+    options.insert(options.end(), {input, folder_.file("out.ply"), "--json", folder_.file("r.json")});
     return runWell(options);
   };
   EXPECT_EQ(run_with({}).find("holes:"), std::string::npos);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program.h"
+#include "view_fixture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -14,21 +13,6 @@
 
 namespace mlsmesh::test {
 namespace {
-
-constexpr const char* kTetrahedron =
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n";
-
-bool dropDisplay() {
-  return unsetenv("DISPLAY") == 0;
-}
-
-Outcome runView(const std::vector<std::string>& arguments,
-                const std::function<bool()>& prepare = dropDisplay) {
-  const TemporaryFolder prints;
-  return Program(MLSMESH_VIEW, arguments, prints.path(), prepare).wait();
-}
 
 bool isInPath(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -49,13 +33,6 @@ std::vector<int> sizeOfPng(const std::string& content) {
     size.push_back(value);
   }
   return size;
-}
-
-void expectOneLine(const Outcome& outcome, int exit_code, const std::string& culprit) {
-  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-  EXPECT_EQ(outcome.err.rfind("mlsmesh_view: ", 0), 0U) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find(culprit), std::string::npos) << outcome.err;
 }
 
 TEST(View, DrawsWithoutADisplay) {
@@ -129,18 +106,6 @@ TEST(View, SaysWhyACloudHasNoMesh) {
   expectOneLine(runView({line, "--show", "mesh", "--screenshot", folder.file("picture.png")}), 1,
                 "line.xyz: ");
   EXPECT_EQ(folder.names().size(), 1U);
-}
-
-/// Points on a sphere, by the golden angle, without those near its poles.
-std::string bandText() {
-  constexpr int kCount = 1500;
-  std::string text;
-  for (int i = 0; i < kCount; ++i) {
-    const double z = 0.8 * (2 * (i + 0.5) / kCount - 1), radius = std::sqrt(1 - z * z), angle = 2.399963 * i;
-    text += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + " " +
-            std::to_string(z) + "\n";
-  }
-  return text;
 }
 
 TEST(View, ShowsEachModeInAPictureOfItsOwn) {
@@ -241,6 +206,51 @@ TEST(View, EscapeEndsAReconstructionAndTheWindowStays) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(readFile(before), readFile(after));
+}
+
+TEST(View, ANoticeIsNotInTheWayOfTheCloud) {
+  const TemporaryFolder folder;
+  const std::string line = folder.write("line.xyz", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n");
+  const std::string plain = folder.file("plain.png"), failed = folder.file("failed.png"),
+                    cloud = folder.file("cloud.png");
+  ASSERT_EQ(runView({line, "--size", "200x200", "--show", "cloud", "--script", "p=" + plain}).exit_code, 0);
+  ASSERT_EQ(runView({line, "--size", "200x200", "--script", "wait,p=" + failed + ",c,p=" + cloud}).exit_code,
+            0);
+  EXPECT_NE(readFile(failed), readFile(plain)) << "it says why there is no mesh";
+  EXPECT_EQ(readFile(cloud), readFile(plain));
+}
+
+TEST(View, WhatWasEndedIsFoundWhenAskedForAgain) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("band.xyz", bandText());
+  for (const std::string mode : {"defects", "distance"}) {
+    const std::string key = mode == "defects" ? "d" : "t";
+    const std::string direct = folder.file("direct.png"), again = folder.file("again.png");
+    const std::vector<std::string> options = {cloud, "--levels", "4", "--size", "200x200"};
+    std::vector<std::string> arguments = options;
+    arguments.insert(arguments.end(), {"--show", mode, "--screenshot", direct});
+    ASSERT_EQ(runView(arguments).exit_code, 0);
+    arguments = options;
+    arguments.insert(arguments.end(), {"--show", "mesh", "--screenshot", again, "--script",
+                                       "wait," + key + ",Escape,wait,Down,Up," + key});
+    const Outcome outcome = runView(arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(readFile(direct), readFile(again)) << mode;
+  }
+}
+
+TEST(View, KeysWaitForDefectsAndDistances) {
+  const TemporaryFolder folder;
+  const std::string cloud = folder.write("band.xyz", bandText());
+  for (const std::string mode : {"defects", "distance"}) {
+    const std::string key = mode == "defects" ? "6" : "7";
+    const std::string at_once = folder.file("at_once.png"), waited = folder.file("waited.png");
+    const Outcome outcome = runView({cloud, "--levels", "4", "--size", "200x200", "--show", "mesh",
+                                     "--script", "wait," + key + ",p=" + at_once + ",wait,p=" + waited});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(readFile(at_once), readFile(waited)) << mode;
+  }
 }
 
 }  // namespace
