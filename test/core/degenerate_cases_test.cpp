@@ -50,9 +50,10 @@ TEST(DegenerateCases, PointsWhoseDistancesHaveNoSquare) {
 
 TEST(DegenerateCases, CoordinatesThatNoExtentTellsFromZeroAreZero) {
   Context context;
-  const Points world = {{1e-71, 0, 0}, {-1e-320, 1e-160, 0}, {1, 0, 0}, {0, 1, 1e-69}};
+  const Points world = {{1e-71, 0, 0}, {-1e-320, 1e-160, 0}, {1, 0, 0},
+                        {-1, 1, 0},    {0, -1, 1e-69},       {0, 0, -1e-69}};
   const PointSet set = makePointSet(world, StoredAs::Double, nullptr, context);
-  EXPECT_EQ(set.size(), 3);
+  EXPECT_EQ(set.size(), 5);
   EXPECT_EQ(set.duplicates, 1);
   for (const Vec3& p : set.position) EXPECT_EQ(set.stored(p), p);
   const auto atZero = [&](const Vec3& p) { return set.world(p) == Vec3(Vec3::Zero()); };
