@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "height_fit.h"
@@ -46,6 +47,15 @@ Frame alternatingFrame(const std::vector<Vec3>& points, const Vec3& x, double sp
     frame = principalFrame(points, x, around);
   }
   return frame;
+}
+
+// Of a place without neighbours: none.
+Projection noProjection() {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Projection none;
+  none.position = none.normal = none.mean_difference = Vec3::Constant(kNaN);
+  none.nearest = 0;
+  return none;
 }
 
 // Forgets the neighbours beyond `distance`, but for the nearest ones that a quadric needs.
@@ -155,6 +165,7 @@ Projection MlsSurface::project(const Vec3& x, int degree) const {
   Neighborhood around;
   Fit fit;
   around.find(search_, x, parameters_.neighbors);
+  if (around.count == 0) return noProjection();
   const Projection whole =
       fitProjection(points_, parameters_, residual_limit_, x, degree, around.localSpacing(), around, fit);
   if (!mayMixSheets(whole.variation, parameters_) ||
@@ -174,6 +185,7 @@ Projection MlsSurface::projectSide(const Vec3& x, int degree, const Vec3& normal
   constexpr int kLeastSide = 6;
   Neighborhood around;
   around.find(search_, x, 2 * parameters_.neighbors);
+  if (around.count == 0) return noProjection();
   const int nearest = std::min(around.count, parameters_.neighbors);
   const double spacing = std::sqrt(around.squared_distance[nearest - 1]) / std::sqrt(nearest / kPi);
   keepSide(normal, normals, cone, nearest, around);

@@ -24,7 +24,8 @@ void Neighborhood::weigh(const std::vector<Vec3>& points, const Vec3& center, do
     nearest = std::min(nearest, squared_distance[i]);
   }
   is_weighted = true;
-  const double scale = 1.0 / (support * support);
+  const double inverse = 1.0 / (support * support);
+  const double scale = std::isfinite(inverse) ? inverse : 0.0;  // no distance is told from another
   for (int i = 0; i < count; ++i) weight[i] = std::exp((nearest - squared_distance[i]) * scale);
 }
 
@@ -33,10 +34,12 @@ double Neighborhood::localSpacing() const {
 }
 
 double Neighborhood::supportRadius(double local_spacing, const ProjectionParameters& parameters) const {
-  if (parameters.support_rule == SupportRule::LocalSpacing) return parameters.support_factor * local_spacing;
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  if (parameters.support_rule == SupportRule::LocalSpacing)
+    return std::max(kLeast, parameters.support_factor * local_spacing);
   int first = 0;
   while (first + 1 < count && squared_distance[first] == 0) ++first;
-  return parameters.support_factor * std::sqrt(squared_distance[first]);
+  return std::max(kLeast, parameters.support_factor * std::sqrt(squared_distance[first]));
 }
 
 Vec3 Neighborhood::meanDifference(const std::vector<Vec3>& points, const Vec3& x) const {

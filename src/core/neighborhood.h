@@ -19,9 +19,10 @@ struct Neighborhood {
   int count = 0;
   bool is_weighted = false;
 
+  /// None about a place that is not finite, or too far away for the square of a distance to be.
   void find(const NeighborSearch& search, const Vec3& x, int wanted);
   /// Weights exp(-d^2 / support^2) about the centre, relative to the nearest neighbour's, so that they cannot
-  /// all underflow however small the support is.
+  /// all underflow however small the support is; equal ones where even its square underflows.
   void weigh(const std::vector<Vec3>& points, const Vec3& center, double support);
   /// Forgets all but the first `most` of those that `isWanted(i)`; i counts neighbours.
   template <typename Wanted>
@@ -29,7 +30,7 @@ struct Neighborhood {
 
   /// d_k / sqrt(k / pi): the spacing of points spread evenly over a disc of radius d_k.
   double localSpacing() const;
-  /// h.
+  /// h, positive even where all neighbours are at one place.
   double supportRadius(double local_spacing, const ProjectionParameters& parameters) const;
   /// (1/k) sum (p - x).
   Vec3 meanDifference(const std::vector<Vec3>& points, const Vec3& x) const;

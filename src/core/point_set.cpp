@@ -26,6 +26,7 @@ constexpr int kMortonBits = 21;  // an axis; three of them fill a 64-bit key
 constexpr double kLineTolerance = 1e-9;
 constexpr double kMinExtent = 1e-50;  // products of six lengths stay finite and positive between these two
 constexpr double kMaxExtent = 1e50;
+constexpr double kNothing = 1e-70;  // a coordinate that no extent can tell from 0
 
 /// An input point on its way to its place in the canonical order.
 struct Entry {
@@ -61,8 +62,14 @@ double heldByFloat(double value) {
   return value > kMost ? kMost : value < -kMost ? -kMost : value;
 }
 
+/// Without the smallest coordinates, or points would be told apart whose distances have no square.
+double heldByDouble(double value) {
+  return std::abs(value) < kNothing ? 0.0 : value;
+}
+
 Vec3 roundedTo(StoredAs type, const Vec3& world) {
-  return type == StoredAs::Float ? Vec3(world.unaryExpr(&roundedToFloat)) : world;
+  return type == StoredAs::Float ? Vec3(world.unaryExpr(&roundedToFloat))
+                                 : Vec3(world.unaryExpr(&heldByDouble));
 }
 
 bool comesBefore(const Vec3& a, const Vec3& b) {
@@ -262,7 +269,7 @@ void checkShape(const PointSet& set, std::size_t given, const Box& box) {
 
 Vec3 PointSet::stored(const Vec3& local) const {
   const Vec3 place = world(local);
-  if (stored_as == StoredAs::Double) return place - origin;
+  if (stored_as == StoredAs::Double) return roundedTo(stored_as, place) - origin;
   return roundedTo(stored_as, place.unaryExpr(&heldByFloat)) - origin;
 }
 

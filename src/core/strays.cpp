@@ -42,12 +42,14 @@ bool isStray(const MlsSurface& surface, Index point, double distance) {
 
   around.find(surface.search(), foot, wanted);
   around.keepIf(isOther);
+  if (around.count == 0) return false;  // the foot is nowhere, as the plane was none
   const double spacing = around.localSpacing();
   support = kSupport * spacing;
   around.weigh(points, foot, support);
   fitInOneStep(points, foot, 1, support, around, fit);
   const double limit = kResiduals * medianResidual(points, fit, support, around);
   around.keepIf([&](int i) { return std::abs(miss(points, fit, support, around, i)) <= limit; });
+  if (around.count == 0) return false;
   fitInOneStep(points, foot, std::min(2, surface.parameters().degree), support, around, fit);
   const double offset = std::abs((x - foot).dot(fit.frame.normal()) - fit.height.g[0] * support);
   const auto* const distances = around_point.squared_distance.data();

@@ -43,10 +43,11 @@ class MlsSurface {
   MlsSurface(const std::vector<Vec3>& points, const NeighborSearch& search,
              const ProjectionParameters& parameters, double residual_limit = 0);
 
-  /// Psi(x), with neighbours and support taken at x. `x` must be finite. Falls back to lower degrees where
-  /// the fit is not finite. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10). With OneStep,
-  /// where the fit misses its points as two sheets make it, and air is seen between them, the neighbours are
-  /// those on the sheet of the nearest one alone (sheet_gap tells): one more search and fit.
+  /// Psi(x), with neighbours and support taken at x. Falls back to lower degrees where the fit is not
+  /// finite. Of an x that is not finite itself, or too far away for the square of a distance to be, position
+  /// and normal are NaN and nearest is 0. O(k log n + k m^2), m the number of coefficients (1, 3, 6, 10).
+  /// With OneStep, where the fit misses its points as two sheets make it, and air is seen between them, the
+  /// neighbours are those on the sheet of the nearest one alone (sheet_gap tells): one more search and fit.
   Projection project(const Vec3& x) const { return project(x, parameters_.degree); }
   Projection project(const Vec3& x, int degree) const;
   /// Psi(x) from the points of one side alone: of twice as many neighbours, the nearest whose normal is

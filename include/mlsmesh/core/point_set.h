@@ -22,7 +22,7 @@ struct PointSet {
 
   Index size() const { return static_cast<Index>(position.size()); }
   /// `local` as it will read once stored in world coordinates of type stored_as; what lies beyond the largest
-  /// float is stored as that.
+  /// float is stored as that, and a double coordinate below 1e-70 in size as 0.
   Vec3 stored(const Vec3& local) const;
   /// World coordinates of a local position, before they are rounded to stored_as.
   Vec3 world(const Vec3& local) const { return local + origin; }
