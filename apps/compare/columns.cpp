@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/columns.h"
 
+#include "common/number_text.h"
 #include "mlsmesh/statistics.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 using Kind = Column::Kind;
 using Value = std::function<double(const Row&)>;
 
-constexpr int kDigits = 3;
+constexpr double kLongSeconds = 1000;  // hundredths of them tell nothing
 
 Value figure(const std::string& group, const std::string& name, double factor = 1) {
   return [=](const Row& row) { return factor * row.figure(group, name); };
@@ -37,7 +38,11 @@ ColumnGroup cost() {
   add("CPU s", "seconds of processor time of all threads, of both", Kind::Seconds, false,
       ifEnded([](const Row& row) { return row.cpu_seconds; }));
   add("memory MB", "most memory held at once, the program itself included", Kind::Count, false,
-      Value([](const Row& row) { return row.peak_bytes > 0 ? toMegabytes(row.peak_bytes) : kUnknown; }));
+      Value([](const Row& row) {
+        // One that refused did nothing: what it held is the program.
+        const bool has_run = row.status != RowStatus::Refused && row.peak_bytes > 0;
+        return has_run ? toMegabytes(row.peak_bytes) : kUnknown;
+      }));
   add("vertices", "vertices of the mesh", Kind::Count, false, figure("topology", "vertices"));
   add("triangles", "triangles of the mesh", Kind::Count, false, figure("topology", "triangles"));
   return group;
@@ -112,9 +117,10 @@ double toMegabytes(std::uint64_t bytes) {
 
 std::string Column::text(const Row& row) const {
   const double number = value(row);
-  if (kind == Kind::Real || !std::isfinite(number)) return numberText(number, kDigits);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), kind == Kind::Count ? "%.0f" : "%.2f", number);
+  if (kind == Kind::Real) return readableText(number);
+  if (kind == Kind::Count || !(number < kLongSeconds)) return wholeText(number);
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", number);
   return text.data();
 }
 
@@ -138,10 +144,9 @@ std::string rowLine(const CloudResult& cloud, const Row& row) {
   std::string line = cloud.name + "  " + row.method->name;
   line.resize(std::max<std::size_t>(line.size(), cloud.name.size() + 19), ' ');
   if (row.status != RowStatus::Done) return line + resultText(row);
-  line += numberText(row.totalSeconds(), kDigits) + " s, " +
-          numberText(std::round(toMegabytes(row.peak_bytes)), 9) + " MB";
+  line += readableText(row.totalSeconds()) + " s, " + wholeText(toMegabytes(row.peak_bytes)) + " MB";
   if (!row.reason.empty()) return line + ", " + row.reason;
-  return line + ", " + numberText(row.figure("topology", "triangles"), 12) + " triangles";
+  return line + ", " + wholeText(row.figure("topology", "triangles")) + " triangles";
 }
 
 }  // namespace mlsmesh::apps

@@ -19,6 +19,7 @@ struct Column {
   bool zero_is_sound = false;               ///< anything above 0 is a defect
   std::function<double(const Row&)> value;  ///< not a number if it could not be measured
 
+  /// Rounded, for people.
   std::string text(const Row& row) const;
   bool isDefect(const Row& row) const { return zero_is_sound && value(row) > 0; }
 };

@@ -3,16 +3,19 @@
 
 namespace mlsmesh::apps {
 
+// The shade at the right edge of a table lies behind its cells, still while they move, and under a cover that
+// moves with them: it shows as long as there is more to come.
 // Colours of series: Okabe and Ito, darker on white and lighter on black so that all stand out.
 std::string pageStyle() {
   return R"css(
 :root { color-scheme: light dark; --ground: #fff; --ink: #1d2733; --soft: #5a6675; --rule: #d5dbe3; --band: #f3f5f8;
   --link: #0054a6; --bad: #b3261e; --c0: #0072b2; --c1: #c25400; --c2: #00805c; --c3: #a8487e; --c4: #8a6d00;
-  --c5: #1c7fb8; --c6: #333; --first: #8fb8de; --second: #1f5f99; }
+  --c5: #1c7fb8; --c6: #333; --first: #8fb8de; --second: #1f5f99;
+  --veil: rgba(20,60,120,.051); --shade: rgba(29,39,51,.34); }
 @media (prefers-color-scheme: dark) {
   :root { --ground: #14181d; --ink: #e4e9ef; --soft: #9ba7b5; --rule: #39424d; --band: #1d232a; --link: #7db8f0;
     --bad: #ff8a80; --c0: #5aaee6; --c1: #ff9a4d; --c2: #3cc79e; --c3: #e59ac6; --c4: #e6c84c; --c5: #8fd0f7;
-    --c6: #ccc; --first: #6288ad; --second: #a6cdf2; } }
+    --c6: #ccc; --first: #6288ad; --second: #a6cdf2; --veil: rgba(170,207,246,.06); --shade: rgba(0,0,0,.85); } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 0 1rem 3rem; max-width: 1400px; background: var(--ground); color: var(--ink);
   font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
@@ -25,14 +28,17 @@ p { margin: .3rem 0 .6rem; max-width: 75ch; }
 .facts { overflow-wrap: anywhere; }
 a { color: var(--link); }
 nav { display: flex; flex-wrap: wrap; gap: .2rem 1rem; margin-bottom: .6rem; overflow-wrap: anywhere; }
-.scroll { overflow-x: auto; border: 1px solid var(--rule); border-radius: 6px; }
+.scroll { overflow-x: auto; border: 1px solid var(--rule); border-radius: 6px; background:
+  linear-gradient(to left, var(--ground) 40%, transparent) right / 3rem 100% no-repeat local,
+  linear-gradient(to left, var(--shade), transparent) right / 1.1rem 100% no-repeat scroll, var(--ground); }
+.wider { display: none; }
 table { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .55rem; text-align: right; vertical-align: bottom; border-bottom: 1px solid var(--rule); }
 tr:last-child > * { border-bottom: 0; }
-thead th { background: var(--band); font-weight: 600; }
+thead th { background: var(--veil); font-weight: 600; }
 tbody th { text-align: left; font-weight: 600; white-space: nowrap; position: sticky; left: 0; background: var(--ground); }
 thead th[data-text] { text-align: left; }
-thead th:first-child { text-align: left; position: sticky; left: 0; z-index: 1; }
+thead th:first-child { text-align: left; position: sticky; left: 0; z-index: 1; background: var(--band); }
 td { white-space: nowrap; }
 tbody th, td { vertical-align: baseline; }
 td.words { text-align: left; min-width: 11em; white-space: normal; }
@@ -72,9 +78,9 @@ svg text.number { font-size: 11.5px; font-weight: 700; }
 details { margin: .8rem 0; } summary { cursor: pointer; font-weight: 600; }
 dl { font-size: 13px; margin: .5rem 0; display: grid; grid-template-columns: minmax(9em, max-content) 1fr; gap: .25rem 1rem; }
 dt { font-weight: 600; } dd { margin: 0; overflow-wrap: anywhere; }
-@media (max-width: 600px) { body { font-size: 14px; padding: 0 .7rem 2rem; } .gallery { gap: .5rem; }
+@media (max-width: 600px) { .wider { display: block; margin: 0 0 .3rem; font-size: 12px; } body { font-size: 14px; padding: 0 .7rem 2rem; } .gallery { gap: .5rem; }
   tbody th { white-space: normal; min-width: 11.5em; } dl { grid-template-columns: 1fr; } dd { margin-bottom: .4rem; } }
-@media print { .zoom { cursor: auto; } figure, tr { break-inside: avoid; } }
+@media print { .wider { display: none; } .scroll { overflow: visible; } .zoom { cursor: auto; } figure, tr { break-inside: avoid; } }
 )css";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/plots.h"
 
+#include "common/number_text.h"
 #include "compare/columns.h"
 
 #include <algorithm>
@@ -251,7 +252,7 @@ std::string barPlot(const std::string& title, const std::string& first_name, con
   const double step = tickStep(most);
   for (double tick = 0; tick <= most * 1.0001; tick += step) {
     svg += lineFrom(kBarLabel + tick * scale, top, kBarLabel + tick * scale, bottom, "grid");
-    svg += textAt(kBarLabel + tick * scale, bottom + 16, numberText(tick, 4), "text-anchor=\"middle\"");
+    svg += textAt(kBarLabel + tick * scale, bottom + 16, readableText(tick), "text-anchor=\"middle\"");
   }
   svg += textAt(kBarLabel - 8, bottom + 16, unit, "text-anchor=\"end\"");
   double y = top + (kBarStep - kBarHeight) / 2;
@@ -260,7 +261,7 @@ std::string barPlot(const std::string& title, const std::string& first_name, con
     svg += rectangle(kBarLabel, y, bar.first * scale, kBarHeight, "first");
     svg += rectangle(kBarLabel + bar.first * scale, y, bar.second * scale, kBarHeight, "second");
     svg += textAt(kBarLabel + (bar.first + bar.second) * scale + 5, y + 11,
-                  numberText(bar.first + bar.second, 3));
+                  readableText(bar.first + bar.second));
     y += kBarStep;
   }
   return svg + "</svg>";

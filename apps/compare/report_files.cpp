@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/report_files.h"
 
+#include "common/number_text.h"
 #include "compare/columns.h"
 #include "compare/compare_options.h"
 #include "inspect/figures.h"
@@ -113,9 +114,9 @@ std::string markdownTable(const ColumnGroup& group, const CloudResult& cloud) {
 }
 
 std::string cloudMarkdown(const CloudResult& cloud) {
-  std::string text = "## " + cloud.name + "\n\n`" + cloud.file.string() +
-                     "`: " + std::to_string(cloud.points) + " points, spacing " +
-                     numberText(cloud.spacing, 4) + ", diagonal " + numberText(cloud.diagonal, 4);
+  std::string text = "## " + cloud.name + "\n\n`" + cloud.file.string() + "`: " + withCommas(cloud.points) +
+                     " points, spacing " + numberText(cloud.spacing, 4) + ", diagonal " +
+                     numberText(cloud.diagonal, 4);
   if (!cloud.truth.empty()) text += "; true surface `" + cloud.truth.string() + "`";
   text += ".\n";
   for (const ColumnGroup& group : columnGroups(!cloud.truth.empty()))
@@ -168,7 +169,7 @@ std::string reportMarkdown(const Comparison& comparison) {
   std::string text =
       "# Reconstructions side by side\n\n" + std::string(kCompareProgram) + " " MLSMESH_VERSION ", " +
       comparison.when + "; limits of each method: " + numberText(comparison.limit_seconds, 6) + " s, " +
-      numberText(std::round(toMegabytes(comparison.memory_bytes)), 9) +
+      wholeText(toMegabytes(comparison.memory_bytes)) +
       " MB; threads: " + (comparison.threads == 0 ? "all" : std::to_string(comparison.threads)) + ".\n\n";
   for (const CloudResult& cloud : comparison.clouds) text += cloudMarkdown(cloud);
   return text + meanings(hasTruth(comparison)) + parameterMarkdown(comparison);

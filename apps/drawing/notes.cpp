@@ -43,7 +43,7 @@ int fontSize(double pixels) {
 vtkSmartPointer<vtkTextActor> label(const std::string& text, int font_size) {
   vtkSmartPointer<vtkTextActor> actor = textActor(text, font_size);
   actor->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
-  actor->GetTextProperty()->SetBackgroundOpacity(0.6);
+  actor->GetTextProperty()->SetBackgroundOpacity(0.85);
   place(*actor, 0.0, 0.0, font_size, 0.7 * font_size);
   return actor;
 }
@@ -79,7 +79,7 @@ std::vector<vtkSmartPointer<vtkTextActor>> legend(const std::vector<LegendEntry>
     place(*square, 0.0, 1.0, font_size, -below);
     vtkSmartPointer<vtkTextActor> text = textActor(entry.text, font_size);
     text->GetTextProperty()->SetBackgroundColor(1.0, 1.0, 1.0);
-    text->GetTextProperty()->SetBackgroundOpacity(0.6);
+    text->GetTextProperty()->SetBackgroundOpacity(0.85);
     place(*text, 0.0, 1.0, 3.5 * font_size, -below);
     actors.push_back(square);
     actors.push_back(text);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/layer.h"
 
+#include "common/number_text.h"
 #include "drawing/layers.h"
 #include "drawing/marks.h"
 #include "drawing/poly_data.h"
@@ -163,12 +164,6 @@ Layer makeLayer(Subject& subject, Mode mode, int level, vtkLookupTable* colors) 
   Layer layer = plainLayer(subject, shown, level, colors);
   if (mode != Mode::Auto && shown != mode) layer.notice = noticeOf(subject, mode);
   return layer;
-}
-
-std::string withCommas(std::size_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
 }
 
 }  // namespace mlsmesh::apps

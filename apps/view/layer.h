@@ -33,7 +33,4 @@ Layer makeLayer(Subject& subject, Mode mode, int level, vtkLookupTable* colors);
 /// Which mode it is for this subject: Auto is resolved; what cannot be shown falls back on what can.
 Mode shownMode(const Subject& subject, Mode mode);
 
-/// "1,234,567".
-std::string withCommas(std::size_t number);
-
 }  // namespace mlsmesh::apps

@@ -150,7 +150,7 @@ TEST_F(CompareAll, TablesSayTheSame) {
     const std::string triangles =
         row.at("report").is_null()
             ? "not organised"
-            : std::to_string(row.at("report").at("topology").at("triangles").get<int>());
+            : withCommas(row.at("report").at("topology").at("triangles").get<std::size_t>());
     EXPECT_GE(countOf(markdown, "| " + label + " |"), 1U) << label;
     EXPECT_NE(markdown.find(triangles), std::string::npos) << label;
     EXPECT_NE(page.find(label), std::string::npos) << label;

@@ -71,4 +71,14 @@ std::size_t countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
+std::string withCommas(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
 }  // namespace mlsmesh::test

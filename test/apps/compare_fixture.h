@@ -36,5 +36,7 @@ std::set<std::string> filesBelow(const fs::path& folder);
 std::vector<std::string> linesOf(const std::string& text);
 /// How often `part` occurs in the text.
 std::size_t countOf(const std::string& text, const std::string& part);
+/// "1,234,567".
+std::string withCommas(std::size_t number);
 
 }  // namespace mlsmesh::test
