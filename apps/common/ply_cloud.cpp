@@ -4,6 +4,7 @@
 #include "common/app_error.h"
 #include "common/cloud_columns.h"
 #include "common/header_check.h"
+#include "common/ply_scalars.h"
 
 #include <pcl/io/ply/ply_parser.h>
 #include <pcl/type_traits.h>
@@ -48,8 +49,9 @@ class VertexRows {
                                             });
     });
     parser.obj_info_callback([this](const std::string& line) { takeInfo(line); });
-    attachScalars<ply::int8, ply::int16, ply::int32, ply::uint8, ply::uint16, ply::uint32, ply::float32,
-                  ply::float64>(parser);
+    attachPlyScalars(parser, [this](auto type, const std::string& element, const std::string& name) {
+      return scalar<decltype(type)>(element, name);
+    });
   }
 
   std::size_t count() const { return count_; }
@@ -68,15 +70,6 @@ class VertexRows {
   }
 
  private:
-  template <class... Types>
-  void attachScalars(Parser& parser) {
-    Parser::scalar_property_definition_callbacks_type callbacks;
-    ((callbacks.get<Types>() = [this](const std::string& element,
-                                      const std::string& name) { return scalar<Types>(element, name); }),
-     ...);
-    parser.scalar_property_definition_callbacks(callbacks);
-  }
-
   template <class Value>
   std::function<void(Value)> scalar(const std::string& element, const std::string& name) {
     if (element == "camera" && name == "viewportx")

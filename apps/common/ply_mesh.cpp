@@ -3,6 +3,7 @@
 
 #include "common/app_error.h"
 #include "common/header_check.h"
+#include "common/ply_scalars.h"
 
 #include <pcl/io/ply/ply_parser.h>
 
@@ -32,8 +33,9 @@ class Collector {
                                             });
     });
     parser.error_callback([this](std::size_t, const std::string& message) { error_ = message; });
-    attachScalars<ply::int8, ply::int16, ply::int32, ply::uint8, ply::uint16, ply::uint32, ply::float32,
-                  ply::float64>(parser);
+    attachPlyScalars(parser, [this](auto type, const std::string& element, const std::string& name) {
+      return scalar<decltype(type)>(element, name);
+    });
     attachLists<ply::uint8, ply::uint16, ply::uint32>(parser);
   }
 
@@ -42,15 +44,6 @@ class Collector {
   int coordinates() const { return coordinates_; }
 
  private:
-  template <class... Types>
-  void attachScalars(Parser& parser) {
-    Parser::scalar_property_definition_callbacks_type callbacks;
-    ((callbacks.get<Types>() = [this](const std::string& element,
-                                      const std::string& name) { return scalar<Types>(element, name); }),
-     ...);
-    parser.scalar_property_definition_callbacks(callbacks);
-  }
-
   template <class Type>
   std::function<void(Type)> scalar(const std::string& element, const std::string& name) {
     if (element != "vertex" || name.size() != 1 || name[0] < 'x' || name[0] > 'z') return nullptr;
